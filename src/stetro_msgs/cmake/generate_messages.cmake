@@ -30,7 +30,7 @@ file(MAKE_DIRECTORY ${generated_dir} ${scratch_dir})
 
 set(STETRO_MSGS_SOURCES)
 set(fastddsgen_headers)
-set(own_headers)
+set(own_headers ${generated_dir}/all_messages.hpp)
 foreach(idl IN LISTS STETRO_MSGS_IDL)
   get_filename_component(type ${idl} NAME_WE)
   list(APPEND STETRO_MSGS_SOURCES

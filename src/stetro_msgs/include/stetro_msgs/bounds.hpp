@@ -15,14 +15,14 @@
 #ifndef STETRO_MSGS__BOUNDS_HPP_
 #define STETRO_MSGS__BOUNDS_HPP_
 
-#include <fastrtps/utils/fixed_size_string.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <string>
 #include <type_traits>
 #include <vector>
+
+#include "fastrtps/utils/fixed_size_string.hpp"
 
 namespace stetro_msgs
 {
