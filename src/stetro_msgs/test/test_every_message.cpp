@@ -60,9 +60,10 @@ TEST(EveryMessage, HasTheNameRos2LooksFor)
     names.insert(SupportOf<typename decltype(type)::type>{}.getName());
   });
   std::set<std::string> expected;
-  const auto expect = [&expected](const std::string & package, std::set<std::string> types) {
+  const auto expect = [&expected](
+                        const std::string & package, const std::set<std::string> & types) {
     for (const auto & type : types) {
-      expected.insert(package + "::msg::dds_::" + type + "_");
+      expected.insert(std::string{package}.append("::msg::dds_::").append(type).append("_"));
     }
   };
   expect("builtin_interfaces", {"Duration", "Time"});

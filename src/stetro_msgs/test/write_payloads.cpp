@@ -17,6 +17,7 @@
 // usage: write_payloads FILE.json
 
 #include <cmath>
+#include <exception>
 #include <fstream>
 #include <iostream>
 #include <string>
@@ -58,25 +59,33 @@ json to_json(const T & value)
   }
 }
 
-}  // namespace
-
-int main(int argc, char ** argv)
+json samples()
 {
-  if (argc != 2) {
-    std::cerr << "usage: write_payloads FILE.json\n";
-    return 2;
-  }
-  auto samples = json::array();
-  stetro_msgs::for_each_message_type([&samples](const char * file, auto type) {
+  auto list = json::array();
+  stetro_msgs::for_each_message_type([&list](const char * file, auto type) {
     using Message = typename decltype(type)::type;
     const auto message = stetro_msgs::DistinctValues{true}.make<Message>();
-    samples.push_back(
+    list.push_back(
       {{"file", file},
        {"dds_type", stetro_msgs::SupportOf<Message>{}.getName()},
        {"payload", stetro_msgs::to_hex(message)},
        {"value", to_json(message)}});
   });
+  return list;
+}
+
+}  // namespace
+
+int main(int argc, char ** argv)
+try {
+  if (argc != 2) {
+    std::cerr << "usage: write_payloads FILE.json\n";
+    return 2;
+  }
   std::ofstream out{argv[1]};
-  out << samples.dump(1) << '\n';
+  out << samples().dump(1) << '\n';
   return out.good() ? 0 : 1;
+} catch (const std::exception & error) {
+  std::cerr << "write_payloads: " << error.what() << '\n';
+  return 1;
 }
