@@ -1,0 +1,30 @@
+// Copyright 2026 The sTetro Authors
+//
+// Licensed under the Apache License, Version 2.0 (the "License");
+// you may not use this file except in compliance with the License.
+// You may obtain a copy of the License at
+//
+//     http://www.apache.org/licenses/LICENSE-2.0
+//
+// Unless required by applicable law or agreed to in writing, software
+// distributed under the License is distributed on an "AS IS" BASIS,
+// WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+// See the License for the specific language governing permissions and
+// limitations under the License.
+
+#include "stetro_dds/qos.hpp"
+
+#include <vector>
+
+namespace stetro_dds::qos
+{
+
+const std::vector<QosProfile> & table()
+{
+  static const std::vector<QosProfile> profiles{
+    kSensor,  kContacts, kLatched,  kCommand,    kCommandStatus, kPose,  kCorrection,
+    kMission, kTf,       kTfStatic, kFleetState, kDiagnostics,   kClock, kDiscoveryInfo};
+  return profiles;
+}
+
+}  // namespace stetro_dds::qos

@@ -1,0 +1,69 @@
+// Copyright 2026 The sTetro Authors
+//
+// Licensed under the Apache License, Version 2.0 (the "License");
+// you may not use this file except in compliance with the License.
+// You may obtain a copy of the License at
+//
+//     http://www.apache.org/licenses/LICENSE-2.0
+//
+// Unless required by applicable law or agreed to in writing, software
+// distributed under the License is distributed on an "AS IS" BASIS,
+// WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+// See the License for the specific language governing permissions and
+// limitations under the License.
+
+#include "support/test_domain.hpp"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+
+namespace stetro_dds
+{
+
+namespace
+{
+
+constexpr std::uint32_t kFirst = 10;
+constexpr std::uint32_t kCount = 90;
+
+std::uint32_t lock_free_id()
+{
+  const auto folder = std::filesystem::temp_directory_path();
+  const auto start = static_cast<std::uint32_t>(::getpid());
+  for (std::uint32_t i = 0; i < kCount; ++i) {
+    const std::uint32_t id = kFirst + (start + i) % kCount;
+    const auto path = folder / ("stetro_test_domain_" + std::to_string(id) + ".lock");
+    const int file = ::open(path.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0666);
+    if (file >= 0 && ::flock(file, LOCK_EX | LOCK_NB) == 0) {
+      return id;  // the lock ends with the process
+    }
+    ::close(file);
+  }
+  throw std::runtime_error("no free domain id between 10 and 99");
+}
+
+}  // namespace
+
+std::uint32_t test_domain_id()
+{
+  static const std::uint32_t id = std::getenv("ROS_DOMAIN_ID") != nullptr
+                                    ? ContextOptions::from_environment().domain_id
+                                    : lock_free_id();
+  return id;
+}
+
+ContextOptions test_options(bool intra_process)
+{
+  ContextOptions options;
+  options.domain_id = test_domain_id();
+  options.intra_process = intra_process;
+  return options;
+}
+
+}  // namespace stetro_dds
