@@ -125,11 +125,14 @@ std::size_t SubscriptionBase::take(std::size_t limit)
   while (taken < limit) {
     const auto malformed_before = malformed;
     const auto code = reader_->get().take_next_sample(message(), &info);
-    if (const auto bad = malformed - malformed_before; bad > 0) {
-      counts_.malformed += bad;
-      taken += bad;
-    } else if (code != eprosima::fastrtps::types::ReturnCode_t::RETCODE_OK) {
-      break;
+    const auto bad = malformed - malformed_before;
+    counts_.malformed += bad;
+    taken += bad;
+    // One call may drop malformed samples and still bring the sound one behind them.
+    if (code != eprosima::fastrtps::types::ReturnCode_t::RETCODE_OK) {
+      if (bad == 0) {
+        break;
+      }
     } else if (info.valid_data) {
       ++taken;
       count(deliver(
