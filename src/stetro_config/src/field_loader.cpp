@@ -75,7 +75,9 @@ void FieldLoader::descend(
       continue;
     }
     const auto below = names_under(name);
-    if (find(name)) {
+    if (const auto other = left_out_.find(name); other != left_out_.end()) {
+      other->second.reset(node);
+    } else if (find(name)) {
       take(name, node, at);
     } else if (!below.empty() && node.IsMap()) {
       descend(node, file, name, seen);

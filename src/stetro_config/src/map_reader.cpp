@@ -22,7 +22,7 @@ namespace stetro_config
 
 MapReader MapReader::from_file(const std::string & path, Faults & faults)
 {
-  MapReader reader{path, faults};
+  MapReader reader{path, faults, nullptr};
   if (const auto root = read_yaml_file(path, faults)) {
     reader.open(*root, "", line_of(*root));
   }
@@ -31,16 +31,26 @@ MapReader MapReader::from_file(const std::string & path, Faults & faults)
 
 MapReader MapReader::from_text(const std::string & text, const std::string & file, Faults & faults)
 {
-  MapReader reader{file, faults};
+  MapReader reader{file, faults, nullptr};
   if (const auto root = read_yaml_text(text, file, faults)) {
     reader.open(*root, "", line_of(*root));
   }
   return reader;
 }
 
-MapReader::MapReader(std::string file, Faults & faults)
-: file_(std::move(file)), faults_(&faults), faults_before_(faults.size())
+MapReader::MapReader(std::string file, Faults & faults, std::shared_ptr<Soundness> above)
+: file_(std::move(file)),
+  faults_(&faults),
+  soundness_(std::make_shared<Soundness>(Soundness{false, std::move(above)}))
 {
+}
+
+void MapReader::add(int line, std::string name, std::string value, std::string accepted)
+{
+  for (Soundness * level = soundness_.get(); level; level = level->above.get()) {
+    level->sound = false;
+  }
+  faults_->add({file_, line, std::move(name), std::move(value), std::move(accepted)});
 }
 
 void MapReader::open(const YAML::Node & map, std::string path, int line)
@@ -48,30 +58,31 @@ void MapReader::open(const YAML::Node & map, std::string path, int line)
   path_ = std::move(path);
   line_ = line;
   absent_ = false;
+  soundness_->sound = true;
   for (const auto & item : map) {
     const YAML::Node & key = item.first;
     const int at = line_of(key);
     if (!key.IsScalar() || key.Scalar() == "<<") {
       const std::string written = key.IsScalar() ? key.Scalar() : excerpt(key);
-      faults_->add({file_, at, path_, written, "plain keys, without merging"});
+      add(at, path_, written, "plain keys, without merging");
       continue;
     }
     const auto [first, fresh] = entries_.emplace(key.Scalar(), Entry{item.second, at, false});
     if (!fresh) {
-      faults_->add(
-        {file_, at, name_of(key.Scalar()), excerpt(item.second),
-         "once only; first on line " + std::to_string(first->second.line)});
+      add(
+        at, name_of(key.Scalar()), excerpt(item.second),
+        "once only; first on line " + std::to_string(first->second.line));
     }
   }
 }
 
 MapReader MapReader::child(const YAML::Node & node, const std::string & key, int line) const
 {
-  MapReader reader{file_, *faults_};
+  MapReader reader{file_, *faults_, soundness_};
   if (node.IsMap()) {
     reader.open(node, name_of(key), line);
   } else {
-    faults_->add({file_, line, name_of(key), excerpt(node), "a map"});
+    reader.add(line, name_of(key), excerpt(node), "a map");
   }
   return reader;
 }
@@ -86,7 +97,7 @@ const MapReader::Entry * MapReader::ask(
   }
   not_there_.insert(key);
   if (must_be_there && !absent_) {
-    faults_->add({file_, line_, name_of(key), kMissing, accepted});
+    add(line_, name_of(key), kMissing, accepted);
   }
   return nullptr;
 }
@@ -94,7 +105,7 @@ const MapReader::Entry * MapReader::ask(
 MapReader MapReader::require_map(const std::string & key)
 {
   const Entry * entry = ask(key, "a map", true);
-  return entry ? child(entry->node, key, entry->line) : MapReader{file_, *faults_};
+  return entry ? child(entry->node, key, entry->line) : MapReader{file_, *faults_, soundness_};
 }
 
 std::optional<MapReader> MapReader::find_map(const std::string & key)
@@ -142,8 +153,7 @@ std::vector<std::string> MapReader::keys() const
 
 void MapReader::refuse(const std::string & key, std::string value, std::string accepted)
 {
-  const Origin at = origin(key);
-  faults_->add({at.file, at.line, name_of(key), std::move(value), std::move(accepted)});
+  add(origin(key).line, name_of(key), std::move(value), std::move(accepted));
 }
 
 void MapReader::finish()

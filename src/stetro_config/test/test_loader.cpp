@@ -159,6 +159,16 @@ TEST(Loader, CanDemandEveryName)
   EXPECT_EQ(faults[0].value, kMissing);
 }
 
+TEST(Loader, LeavesOutWhatAnotherReaderJudges)
+{
+  Loader<sample::Params> loader;
+  loader.leave_out("devices");
+  EXPECT_TRUE(loader.left_out("devices").IsNull());
+  loader.read_map(YAML::Load("{debug: true, devices: {lidar: [1, x]}}"), "p.yaml");
+  EXPECT_TRUE(loader.finish().debug);
+  EXPECT_EQ(loader.left_out("devices")["lidar"].size(), 2U);
+}
+
 TEST(Loader, FindsADefaultThatItsOwnRuleRefuses)
 {
   sample::Params params;

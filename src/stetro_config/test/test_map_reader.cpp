@@ -94,6 +94,19 @@ TEST(MapReader, RefusesWhatIsNoMapOrNoListOfMaps)
   EXPECT_EQ(to_string(faults[2]), "s.yaml:3: d: value 'a map' refused, accepted: a list of maps");
 }
 
+TEST(MapReader, IsSpoiledByFaultsBelowButNotBeside)
+{
+  Faults faults;
+  auto site = MapReader::from_text("a: [{b: {c: x}}, {b: {c: 1}}]", "s.yaml", faults);
+  auto maps = site.require_maps("a");
+  for (MapReader & map : maps) {
+    static_cast<void>(map.require_map("b").require<double>("c", Any{}));
+  }
+  EXPECT_FALSE(site.sound());
+  EXPECT_FALSE(maps[0].sound());
+  EXPECT_TRUE(maps[1].sound());
+}
+
 TEST(MapReader, SaysOnceThatAMapIsMissing)
 {
   Faults faults;

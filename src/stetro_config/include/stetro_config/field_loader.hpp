@@ -38,6 +38,11 @@ public:
   void read_file(const std::string & path);
   void set(const std::string & name, const std::string & text, const std::string & source);
 
+  /// Leaves what stands under a name for another reader, who gets it from `left_out`.
+  void leave_out(const std::string & name) { left_out_.emplace(name, YAML::Node{}); }
+  /// What stands under a name that was left out; null if nothing does.
+  [[nodiscard]] YAML::Node left_out(const std::string & name) const { return left_out_.at(name); }
+
   /// Adds a fault for every name that nobody wrote.
   void require_every_name(const std::string & file);
 
@@ -66,6 +71,7 @@ private:
 
   std::vector<Field> fields_;
   std::map<std::string, Origin> origins_;
+  std::map<std::string, YAML::Node> left_out_;
   Faults faults_;
 };
 

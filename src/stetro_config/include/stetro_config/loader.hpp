@@ -76,6 +76,14 @@ public:
     loader_.set(name, text, source);
   }
 
+  /// Leaves what stands under a name for another reader. To be called before reading.
+  void leave_out(const std::string & name) { loader_.leave_out(name); }
+  /// What stands under a name that was left out; null if nothing does.
+  [[nodiscard]] YAML::Node left_out(const std::string & name) const
+  {
+    return loader_.left_out(name);
+  }
+
   /// Makes a name that nobody wrote a fault in `file`, where a default would be a guess.
   void require_every_name(const std::string & file) { loader_.require_every_name(file); }
 

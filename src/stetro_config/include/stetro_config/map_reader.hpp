@@ -17,8 +17,8 @@
 
 #include <yaml-cpp/yaml.h>
 
-#include <cstddef>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -104,8 +104,8 @@ public:
   /// Adds a fault for every key that nobody asked for.
   void finish();
 
-  /// True if the map is there and no fault has been added since this reader was made.
-  [[nodiscard]] bool sound() const { return !absent_ && faults_->size() == faults_before_; }
+  /// True if the map is there and neither it nor a map below it has had a fault.
+  [[nodiscard]] bool sound() const { return soundness_->sound; }
 
   /// The dotted path of a key, as faults name it.
   [[nodiscard]] std::string name_of(const std::string & key) const;
@@ -122,8 +122,16 @@ private:
     bool asked;
   };
 
-  MapReader(std::string file, Faults & faults);
+  /// Shared by the copies of a reader; a fault below spoils all above.
+  struct Soundness
+  {
+    bool sound;
+    std::shared_ptr<Soundness> above;
+  };
+
+  MapReader(std::string file, Faults & faults, std::shared_ptr<Soundness> above);
   void open(const YAML::Node & map, std::string path, int line);
+  void add(int line, std::string name, std::string value, std::string accepted);
   [[nodiscard]] MapReader child(const YAML::Node & node, const std::string & key, int line) const;
   /// The entry of a key, now known; a fault and nothing if it must be there and is not.
   [[nodiscard]] const Entry * ask(
@@ -151,7 +159,7 @@ private:
   std::string path_;
   int line_ = 0;
   Faults * faults_;
-  std::size_t faults_before_;
+  std::shared_ptr<Soundness> soundness_;
   bool absent_ = true;  ///< there is no map: a fault already says so, and nothing else is missing
   std::map<std::string, Entry> entries_;
   std::set<std::string> not_there_;  ///< asked for, so known, but not written
