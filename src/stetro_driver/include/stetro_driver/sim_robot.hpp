@@ -1,0 +1,121 @@
+// Copyright 2026 The sTetro Authors
+//
+// Licensed under the Apache License, Version 2.0 (the "License");
+// you may not use this file except in compliance with the License.
+// You may obtain a copy of the License at
+//
+//     http://www.apache.org/licenses/LICENSE-2.0
+//
+// Unless required by applicable law or agreed to in writing, software
+// distributed under the License is distributed on an "AS IS" BASIS,
+// WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+// See the License for the specific language governing permissions and
+// limitations under the License.
+
+#ifndef STETRO_DRIVER__SIM_ROBOT_HPP_
+#define STETRO_DRIVER__SIM_ROBOT_HPP_
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "stetro_driver/body_shape.hpp"
+#include "stetro_driver/hardware_interface.hpp"
+#include "stetro_driver/sim_errors.hpp"
+#include "stetro_driver/sim_faults.hpp"
+#include "stetro_driver/stair_shape.hpp"
+
+namespace stetro_driver
+{
+
+/// Where base_link starts, seen from above, in the flight frame.
+struct SimStart
+{
+  double x_m = 0.0;
+  double y_m = 0.0;
+  double yaw_rad = 0.0;
+};
+
+/// How the simulation is set up. What the software believes (the site file) is not among it.
+struct SimOptions
+{
+  std::uint64_t seed = 1;  ///< of the world, the sensors and the start
+  bool as_built = true;    ///< the stairs differ from their shape as errors say; false: exactly it
+  SimErrors errors{};
+  std::vector<SimFault> faults{};
+  std::optional<SimStart> start{};  ///< nothing: middle of the floor, about 0.5 m before the stairs
+  std::string snapshot_path{};      ///< empty: no snapshot
+  Time origin = std::chrono::seconds{1000};  ///< simulated time starts here, well above zero
+};
+
+/// What is really so. For looking only: nothing of the robot may read it.
+struct GroundTruth
+{
+  Time time{0};
+  int step = 0;      ///< tread block 2 stands, or last stood, on; 0 the floor below
+  double x_m = 0.0;  ///< base_link in the flight frame
+  double y_m = 0.0;
+  double z_m = 0.0;  ///< of the surface of `step`
+  double yaw_rad = 0.0;
+  double tread_x_m = 0.0;      ///< from the riser behind, the tread's own edge, at the robot's y
+  double riser_ahead_m = 0.0;  ///< to the next riser's face; NaN on the last step
+  double tread_width_m = 0.0;  ///< from wall to wall at the robot's x
+  double heading_rad = 0.0;    ///< yaw against the next riser's direction; yaw on the last step
+  std::array<double, kBlocks> block_heights_m{};  ///< undersides in the flight frame
+  bool fallen = false;
+};
+
+/// What became of an old snapshot.
+enum class ResumeOutcome {
+  kFresh,    ///< there was none
+  kResumed,  ///< the world goes on from it, standing and holding
+  kDamaged,  ///< not used, kept beside as `<path>.refused`
+  kForeign,  ///< of another world, not used, kept beside
+};
+
+/// The simulated robot in its simulated world.
+/**
+ * Deterministic: the same options give the same bits. It has no clock: each step() is one tick of
+ * simulated time. A tick moves the actuators as the last write() says, the body as its surroundings
+ * allow, then reads the sensors: gyro, wheels, switches and lifts each tick, ranges at 30 Hz and
+ * 20 ms late. With a snapshot path the world is stored after each tick, before anyone is told.
+ */
+class SimRobot final : public HardwareInterface
+{
+public:
+  static constexpr Time kTick = std::chrono::milliseconds{10};
+
+  /// \throws std::invalid_argument when the robot does not fit where it starts, or a shape is empty
+  SimRobot(const StairShape & stairs, const BodyShape & body, const SimOptions & options);
+  ~SimRobot() override;
+
+  void configure() override;  ///< opens the snapshot and resumes it \throws HardwareError
+  void activate() override;
+  void deactivate() override;
+  Result<SensorFrame> read(Time now) override;  ///< now must be time()
+  std::optional<IoFault> write(const JointCommand & command) override;
+  void make_safe() noexcept override;
+
+  /// Lets the world go on by one tick. Only after configure().
+  void step();
+
+  [[nodiscard]] Time time() const;
+  [[nodiscard]] GroundTruth truth() const;
+
+  [[nodiscard]] ResumeOutcome resume_outcome() const;
+  [[nodiscard]] const std::string & resume_detail() const;  ///< in words, for a log
+
+  /// Everything that the future depends on, as bytes: equal bytes, equal future.
+  [[nodiscard]] std::vector<std::uint8_t> state() const;
+
+private:
+  struct World;
+  std::unique_ptr<World> world_;
+};
+
+}  // namespace stetro_driver
+
+#endif  // STETRO_DRIVER__SIM_ROBOT_HPP_

@@ -1,0 +1,295 @@
+// Copyright 2026 The sTetro Authors
+//
+// Licensed under the Apache License, Version 2.0 (the "License");
+// you may not use this file except in compliance with the License.
+// You may obtain a copy of the License at
+//
+//     http://www.apache.org/licenses/LICENSE-2.0
+//
+// Unless required by applicable law or agreed to in writing, software
+// distributed under the License is distributed on an "AS IS" BASIS,
+// WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+// See the License for the specific language governing permissions and
+// limitations under the License.
+
+#include "sim/sim_world.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "sim/archive.hpp"
+#include "stetro_config/report.hpp"
+
+namespace stetro_driver
+{
+namespace
+{
+
+constexpr double kTickSeconds = 0.01;
+constexpr double kStartDistance = 0.5;  // base_link before the first riser [m]
+constexpr double kStartSpread = 0.05;   // either way [m]
+constexpr double kStartTurn = 0.0873;   // either way, 5 deg [rad]
+constexpr double kOldTreadRoll = 0.15;  // what block 2's roll onto the next tread takes [m]
+
+sim::StairWorld built(const StairShape & stairs, const SimOptions & options)
+{
+  if (options.as_built) {
+    return sim::StairWorld{stairs, options.errors, options.seed};
+  }
+  return sim::StairWorld{stairs};
+}
+
+/// A number that differs when anything differs that two worlds must share.
+std::uint64_t identity_of(
+  const StairShape & stairs, const BodyShape & body, const SimOptions & options)
+{
+  std::vector<std::uint8_t> bytes;
+  sim::StateWriter each{bytes};
+  StairShape shape = stairs;
+  for (std::size_t i = 0; i < shape.riser_m.size(); ++i) {
+    each(shape.riser_m[i], shape.tread_m[i]);
+  }
+  SimOptions o = options;
+  BodyShape b = body;
+  each(
+    shape.width_foot_m, shape.width_top_m, shape.right_walled, shape.left_walled,
+    shape.wall_overrun_m, o.seed, o.as_built, o.origin, b.block_length_m, b.body_width_m,
+    b.block_height_m, b.contact_width_m, b.stroke_m, b.lift_speed_m_s, b.steer_speed_rad_s,
+    b.bumper_travel_m, b.switch_travel_m, b.switch_y_m);
+  for (TofMounting & tof : b.tof) {
+    each(tof.block, tof.position_m, tof.direction);
+  }
+  for (const SimFault & fault : o.faults) {
+    SimFault f = fault;
+    each(f.kind, f.from_s, f.until_s, f.value);
+    bytes.insert(bytes.end(), f.device.begin(), f.device.end());
+  }
+  const std::string errors = stetro_config::to_yaml(o.errors);
+  bytes.insert(bytes.end(), errors.begin(), errors.end());
+  return sim::checksum_of(bytes.data(), bytes.size());
+}
+
+sim::BodyPose start_of(const StairShape & stairs, const SimOptions & options)
+{
+  if (options.start) {
+    return {options.start->x_m, options.start->y_m, options.start->yaw_rad};
+  }
+  sim::RandomStream random{options.seed, "start"};
+  sim::BodyPose pose;
+  pose.x_m = -kStartDistance + random.uniform(-kStartSpread, kStartSpread);
+  pose.y_m =
+    (stairs.width_foot_m + stairs.width_top_m) / 4.0 + random.uniform(-kStartSpread, kStartSpread);
+  pose.yaw_rad = random.uniform(-kStartTurn, kStartTurn);
+  return pose;
+}
+
+}  // namespace
+
+SimRobot::World::World(
+  const StairShape & stair_shape, const BodyShape & body_shape, const SimOptions & sim_options)
+: options(sim_options),
+  shape(body_shape),
+  identity(identity_of(stair_shape, body_shape, sim_options)),
+  stairs(built(stair_shape, sim_options)),
+  lifts(options.errors, options.seed),
+  body(shape, stairs, options.errors.squaring, lifts.lock_error_m()),
+  wheels(options.errors, options.seed),
+  gyro(options.errors, options.seed),
+  contacts(options.errors, options.seed),
+  ranges(shape, options.errors, options.seed),
+  faults(options.faults),
+  time(options.origin)
+{
+  body.place(start_of(stair_shape, options));
+  contacts.observe(body, time, faults);
+  compose_frame();
+}
+
+void SimRobot::World::open_snapshot()
+{
+  if (options.snapshot_path.empty()) {
+    return;
+  }
+  const std::vector<std::uint8_t> fresh = state();
+  snapshot = std::make_unique<sim::SnapshotFile>(options.snapshot_path, identity, fresh.size());
+  resume_outcome = snapshot->found().outcome;
+  resume_detail = snapshot->found().detail;
+  if (resume_outcome == ResumeOutcome::kResumed) {
+    sim::StateReader reader{snapshot->found().bytes};
+    archive(reader);
+    faults.advance(time_to_seconds(time - options.origin));
+    compose_frame();
+  } else {
+    stored_ = fresh;
+    snapshot->store(stored_);
+  }
+}
+
+void SimRobot::World::hold() { command = JointCommand{}; }
+
+void SimRobot::World::tick()
+{
+  ++ticks;
+  time += SimRobot::kTick;
+  faults.advance(time_to_seconds(time - options.origin));
+  strike_faults();
+  const bool may_move =
+    active && !safe.load() && body.fall() == sim::Fall::kNone && !contacts.readings().back().closed;
+  if (!may_move) {
+    hold();
+  }
+  const double yaw_before_rad = body.pose().yaw_rad;
+  move(actuate());
+  const double turned_rad = body.pose().yaw_rad - yaw_before_rad;
+  measure(turned_rad / kTickSeconds);
+  compose_frame();
+  if (snapshot) {
+    stored_.clear();
+    sim::StateWriter writer{stored_};
+    archive(writer);
+    snapshot->store(stored_);
+  }
+}
+
+void SimRobot::World::strike_faults()
+{
+  if (const SimFault * slip = faults.strike(SimFaultKind::kSlip)) {
+    wheels.slip(slip->value);
+  }
+  if (const SimFault * carried = faults.strike(SimFaultKind::kKidnap)) {
+    kidnap(carried->value);
+  }
+  if (faults.acting(SimFaultKind::kEmergencyStop)) {
+    contacts.latch_emergency_stop(true, time);
+  }
+}
+
+void SimRobot::World::kidnap(double to_the_left_m)
+{
+  sim::BodyPose pose = body.pose();
+  const double room_m = shape.contact_width_m / 2.0 + 0.01;
+  pose.y_m = std::clamp(pose.y_m + to_the_left_m, room_m, stairs.width_m(pose.x_m) - room_m);
+  body.carry(pose);
+}
+
+sim::WheelSpeeds SimRobot::World::actuate()
+{
+  lift_moved.fill(false);
+  steering.moving = false;
+  switch (command.kind) {
+    case MotionKind::kTwist:
+      return {command.vx_m_s, command.vy_m_s, command.wz_rad_s};
+    case MotionKind::kLift:
+    case MotionKind::kLower: {
+      const double before_m = body.underside_m(command.block);
+      const double most_m = shape.lift_speed_m_s * kTickSeconds;
+      if (command.kind == MotionKind::kLift) {
+        body.lift(command.block, most_m);
+      } else {
+        body.lower(command.block, most_m);
+      }
+      lift_moved[static_cast<std::size_t>(command.block - 1)] =
+        body.underside_m(command.block) != before_m;
+      return {};
+    }
+    case MotionKind::kSteer: {
+      const double most_rad = shape.steer_speed_rad_s * kTickSeconds;
+      const double left_rad = command.steering_rad - steering.angle_rad;
+      steering.target_rad = command.steering_rad;
+      steering.moving = std::abs(left_rad) > most_rad;
+      steering.angle_rad += std::clamp(left_rad, -most_rad, most_rad);
+      return {};
+    }
+    default:
+      return {};
+  }
+}
+
+void SimRobot::World::move(const sim::WheelSpeeds & told)
+{
+  const sim::Displacement displacement = wheels.roll(told, kTickSeconds);
+  slip_onto_old_tread(told);
+  if (!old_tread) {
+    body.move(displacement);
+  }
+  lifts.observe(body, ticks, faults);
+}
+
+void SimRobot::World::slip_onto_old_tread(const sim::WheelSpeeds & told)
+{
+  if (!old_tread && body.at_upper_lock(2) && faults.strike(SimFaultKind::kOldTread)) {
+    old_tread = true;
+    old_tread_rolled_m = 0.0;
+  }
+  if (!old_tread) {
+    return;
+  }
+  old_tread_rolled_m += told.vx_m_s * kTickSeconds;
+  const bool arrived = old_tread_rolled_m >= kOldTreadRoll;
+  const double recess_m =
+    shape.block_x_m(3) + shape.block_length_m / 2.0 -
+    shape.tof[static_cast<std::size_t>(RangePlace::kBlock3Front)].position_m.x;
+  old_tread = !body.standing(2);
+  ranges.feign_block3_front(
+    old_tread ? std::optional{recess_m + (arrived ? 0.0 : kOldTreadRoll - old_tread_rolled_m)}
+              : std::nullopt);
+}
+
+void SimRobot::World::measure(double yaw_rate_rad_s)
+{
+  contacts.observe(body, time, faults);
+  ranges.observe(body, ticks, time, faults);
+  gyro.measure(yaw_rate_rad_s, time, faults);
+}
+
+void SimRobot::World::compose_frame()
+{
+  if (command.kind != MotionKind::kSteer) {
+    steering.target_rad = steering.angle_rad;
+  }
+  frame.time = time;
+  frame.contacts = contacts.readings();
+  frame.ranges_complete = ranges.deliver(ticks, time, faults, frame.ranges);
+  frame.blocks = lifts.measure(body, command, ticks, lift_moved);
+  frame.steering = steering;
+  frame.gyro = gyro.reading();
+  frame.odometry = wheels.odometry(time);
+}
+
+GroundTruth SimRobot::World::truth() const
+{
+  const sim::BodyPose & pose = body.pose();
+  GroundTruth truth;
+  truth.time = time;
+  truth.step = body.step();
+  truth.x_m = pose.x_m;
+  truth.y_m = pose.y_m;
+  truth.z_m = stairs.height_m(truth.step);
+  truth.yaw_rad = pose.yaw_rad;
+  truth.heading_rad = pose.yaw_rad;
+  truth.tread_x_m = truth.step > 0 ? pose.x_m - stairs.riser_x_m(truth.step, pose.y_m)
+                                   : std::numeric_limits<double>::quiet_NaN();
+  truth.riser_ahead_m = std::numeric_limits<double>::quiet_NaN();
+  if (truth.step < stairs.steps()) {
+    truth.riser_ahead_m = stairs.riser_x_m(truth.step + 1, pose.y_m) - pose.x_m;
+    truth.heading_rad += std::atan(stairs.riser_slope(truth.step + 1));
+  }
+  truth.tread_width_m = stairs.width_m(pose.x_m);
+  for (int block = 1; block <= 3; ++block) {
+    truth.block_heights_m[static_cast<std::size_t>(block - 1)] = body.underside_m(block);
+  }
+  truth.fallen = body.fall() != sim::Fall::kNone;
+  return truth;
+}
+
+std::vector<std::uint8_t> SimRobot::World::state()
+{
+  std::vector<std::uint8_t> bytes;
+  sim::StateWriter writer{bytes};
+  archive(writer);
+  return bytes;
+}
+
+}  // namespace stetro_driver

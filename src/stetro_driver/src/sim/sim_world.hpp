@@ -1,0 +1,110 @@
+// Copyright 2026 The sTetro Authors
+//
+// Licensed under the Apache License, Version 2.0 (the "License");
+// you may not use this file except in compliance with the License.
+// You may obtain a copy of the License at
+//
+//     http://www.apache.org/licenses/LICENSE-2.0
+//
+// Unless required by applicable law or agreed to in writing, software
+// distributed under the License is distributed on an "AS IS" BASIS,
+// WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+// See the License for the specific language governing permissions and
+// limitations under the License.
+
+#ifndef SIM__SIM_WORLD_HPP_
+#define SIM__SIM_WORLD_HPP_
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sim/fault_injector.hpp"
+#include "sim/sim_body.hpp"
+#include "sim/sim_contacts.hpp"
+#include "sim/sim_gyro.hpp"
+#include "sim/sim_lifts.hpp"
+#include "sim/sim_ranges.hpp"
+#include "sim/sim_wheels.hpp"
+#include "sim/snapshot_file.hpp"
+#include "sim/stair_world.hpp"
+#include "stetro_driver/sim_robot.hpp"
+
+namespace stetro_driver
+{
+
+/// Stairs, body, wheels and sensors of one simulated robot, and the tick that moves them all.
+struct SimRobot::World
+{
+  World(const StairShape & stairs, const BodyShape & body, const SimOptions & options);
+
+  /// One tick: faults, actuators, body, sensors. Stores the snapshot last.
+  void tick();
+
+  void open_snapshot();
+  void hold();
+
+  [[nodiscard]] GroundTruth truth() const;
+  [[nodiscard]] std::vector<std::uint8_t> state();
+
+  /// Lists everything that the future depends on.
+  template <class Archive>
+  void archive(Archive & each)
+  {
+    each(ticks, time);
+    body.archive(each);
+    wheels.archive(each);
+    gyro.archive(each);
+    contacts.archive(each);
+    ranges.archive(each);
+    lifts.archive(each);
+    faults.archive(each);
+    each(steering.angle_rad, steering.target_rad, old_tread_rolled_m, old_tread);
+  }
+
+  const SimOptions options;
+  const BodyShape shape;
+  const std::uint64_t identity;  // of the world, for snapshots
+  const sim::StairWorld stairs;
+  sim::SimLifts lifts;
+  sim::SimBody body;
+  sim::SimWheels wheels;
+  sim::SimGyro gyro;
+  sim::SimContacts contacts;
+  sim::SimRanges ranges;
+  sim::FaultInjector faults;
+
+  bool configured = false;
+  bool active = false;
+  std::atomic<bool> safe{false};
+  JointCommand command{};
+  SteeringReading steering{};
+  std::array<bool, kBlocks> lift_moved{};
+  std::uint64_t ticks = 0;
+  Time time;
+  bool old_tread = false;  // the fault of that name is under way
+  double old_tread_rolled_m = 0.0;
+  SensorFrame frame{};
+  std::unique_ptr<sim::SnapshotFile> snapshot{};
+  ResumeOutcome resume_outcome = ResumeOutcome::kFresh;
+  std::string resume_detail{};
+
+private:
+  void strike_faults();
+  [[nodiscard]] sim::WheelSpeeds actuate();
+  void move(const sim::WheelSpeeds & told);
+  void slip_onto_old_tread(const sim::WheelSpeeds & told);
+  void measure(double yaw_rate_rad_s);
+  void compose_frame();
+  void kidnap(double to_the_left_m);
+
+  std::vector<std::uint8_t> stored_{};
+};
+
+}  // namespace stetro_driver
+
+#endif  // SIM__SIM_WORLD_HPP_
