@@ -1,0 +1,107 @@
+// Copyright 2026 The sTetro Authors
+//
+// Licensed under the Apache License, Version 2.0 (the "License");
+// you may not use this file except in compliance with the License.
+// You may obtain a copy of the License at
+//
+//     http://www.apache.org/licenses/LICENSE-2.0
+//
+// Unless required by applicable law or agreed to in writing, software
+// distributed under the License is distributed on an "AS IS" BASIS,
+// WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+// See the License for the specific language governing permissions and
+// limitations under the License.
+
+#include "stetro_supervisor/climb_geometry.hpp"
+
+#include <algorithm>
+#include <sstream>
+#include <stdexcept>
+
+#include "stetro_supervisor/climb_params.hpp"
+
+namespace stetro_supervisor
+{
+namespace
+{
+
+constexpr double kLiftMargin_m = 0.01;
+
+void check_flight(const ClimbGeometry & g, std::ostringstream & faults)
+{
+  if (g.riser_m.empty() || g.riser_m.size() != g.tread_m.size()) {
+    faults << "flight: " << g.riser_m.size() << " risers and " << g.tread_m.size()
+           << " treads, accepted: as many treads as risers, at least one\n";
+  }
+  for (const double riser : g.riser_m) {
+    if (!(riser > 0.0 && riser + kLiftMargin_m <= g.stroke_m)) {
+      faults << "riser: " << riser << " m, accepted: above 0 and at most the stroke less "
+             << kLiftMargin_m << " m (" << g.stroke_m - kLiftMargin_m << ")\n";
+    }
+  }
+}
+
+void check_width(const ClimbGeometry & g, const ClimbParams & p, std::ostringstream & faults)
+{
+  const double least = g.contact_width_m + 2.0 * (p.wall_clearance_m + p.middle_tolerance_m);
+  const double narrowest = g.width_m + std::min(0.0, g.widening_m);
+  if (!(narrowest >= least)) {
+    faults << "width: " << narrowest << " m, accepted: at least " << least
+           << " m, the contact width and sweep.wall_clearance_m on either side\n";
+  }
+}
+
+void check_threshold(
+  const char * name, double gap_m, double recess_m, double minimum_m, std::ostringstream & faults)
+{
+  if (!(gap_m + recess_m >= minimum_m)) {
+    faults << name << ": " << gap_m << " m with a recess of " << recess_m
+           << " m, accepted: together at least contact.sensor_minimum_m (" << minimum_m << ")\n";
+  }
+}
+
+}  // namespace
+
+double ClimbGeometry::width_at_m(int step) const
+{
+  const double share = steps() > 0 ? (std::max(step, 1) - 0.5) / steps() : 0.0;
+  return width_m + widening_m * std::min(share, 1.0);
+}
+
+ClimbGeometry make_geometry(
+  const stetro_site::Flight & flight, const stetro_site::RobotGeometry & robot)
+{
+  using stetro_site::Place;
+  ClimbGeometry geometry;
+  geometry.segment_id = flight.id();
+  for (int i = 1; i <= flight.steps(); ++i) {
+    geometry.riser_m.push_back(flight.riser_m(i));
+    geometry.tread_m.push_back(flight.tread_m(i));
+  }
+  geometry.width_m = flight.spec().width_foot_m;
+  geometry.widening_m = flight.spec().width_top_m - flight.spec().width_foot_m;
+  geometry.contact_width_m = robot.contact_width_m;
+  geometry.stroke_m = robot.stroke_m;
+  geometry.front_recess_m = robot.contact_reading_m(Place::kStairFront);
+  geometry.block3_recess_m = robot.contact_reading_m(Place::kBlock3Front);
+  geometry.down_recess_m = robot.contact_reading_m(Place::kBlock2Down);
+  geometry.side_contact_m = robot.contact_reading_m(Place::kSideLeft);
+  geometry.switch_separation_m = 2.0 * robot.switch_y_m;
+  return geometry;
+}
+
+void check_climbable(const ClimbGeometry & g, const ClimbParams & p)
+{
+  std::ostringstream faults;
+  check_flight(g, faults);
+  check_width(g, p, faults);
+  const double minimum = p.sensor_minimum_m;
+  check_threshold("contact.approach_gap_m", p.approach_gap_m, g.front_recess_m, minimum, faults);
+  check_threshold("contact.block3_gap_m", p.block3_gap_m, g.block3_recess_m, minimum, faults);
+  check_threshold("contact.touch_down_gap_m", p.touch_down_gap_m, g.down_recess_m, minimum, faults);
+  if (!faults.str().empty()) {
+    throw std::invalid_argument(faults.str());
+  }
+}
+
+}  // namespace stetro_supervisor

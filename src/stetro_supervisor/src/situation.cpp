@@ -1,0 +1,183 @@
+// Copyright 2026 The sTetro Authors
+//
+// Licensed under the Apache License, Version 2.0 (the "License");
+// you may not use this file except in compliance with the License.
+// You may obtain a copy of the License at
+//
+//     http://www.apache.org/licenses/LICENSE-2.0
+//
+// Unless required by applicable law or agreed to in writing, software
+// distributed under the License is distributed on an "AS IS" BASIS,
+// WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+// See the License for the specific language governing permissions and
+// limitations under the License.
+#include "stetro_supervisor/situation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <limits>
+
+namespace stetro_supervisor
+{
+namespace
+{
+
+bool closed(const Contact & contact)
+{
+  return contact.state == ContactState::kClosed && !contact.fault;
+}
+
+bool any_closed(const std::array<Contact, 3> & bumpers)
+{
+  return std::any_of(bumpers.begin(), bumpers.end(), closed);
+}
+
+double recess_m(Place place, const ClimbGeometry & geometry)
+{
+  switch (place) {
+    case Place::kSideLeft:
+    case Place::kSideRight:
+      return geometry.side_contact_m;
+    case Place::kBlock1Down:
+    case Place::kBlock2Down:
+      return geometry.down_recess_m;
+    case Place::kBlock3Front:
+      return geometry.block3_recess_m;
+    default:
+      return geometry.front_recess_m;
+  }
+}
+
+template <class Sample>
+bool older_than(const std::optional<Sample> & sample, Time now, double limit_s)
+{
+  // a sample from the future is as unusable as an old one: the clock has jumped
+  return !sample || std::abs(seconds_between(sample->time, now)) > limit_s;
+}
+
+}  // namespace
+
+bool Situation::pose_sound() const { return pose_doubt().empty(); }
+
+std::string Situation::pose_doubt() const
+{
+  const auto & pose = seen.pose;
+  if (older_than(pose, now, params.pose_silence_s)) {
+    return "the localizer is silent";
+  }
+  if (pose->integrity != Integrity::kOk) {
+    const bool degraded = pose->integrity == Integrity::kDegraded;
+    const bool lost = pose->integrity == Integrity::kLost;
+    return std::string("integrity is ") +
+           (degraded ? "DEGRADED"
+            : lost   ? "LOST"
+                     : "UNKNOWN") +
+           ", reasons " + std::to_string(pose->reasons) + ", accepted: OK";
+  }
+  if (!pose->on_flight || pose->segment_id != geometry.segment_id) {
+    return "the pose is on '" + pose->segment_id + "', accepted: flight '" + geometry.segment_id +
+           "'";
+  }
+  if (!std::isfinite(pose->heading_rad) || !std::isfinite(pose->y_m) || pose->step < 0) {
+    return "step, y or heading is unknown";
+  }
+  return "";
+}
+
+bool Situation::pose_settled() const
+{
+  return pose_sound() && memory.pose_sound_since &&
+         seconds_between(*memory.pose_sound_since, now) >= params.pose_settle_s;
+}
+
+double Situation::heading_rad() const { return pose_sound() ? seen.pose->heading_rad : 0.0; }
+
+bool Situation::driver_silent() const
+{
+  const double limit_s = params.driver_silence_s;
+  const bool ranges_silent = std::all_of(
+    seen.ranges.begin(), seen.ranges.end(),
+    [&](const std::optional<Range> & range) { return older_than(range, now, limit_s); });
+  return ranges_silent || older_than(seen.contacts, now, limit_s) ||
+         older_than(seen.blocks, now, limit_s) || older_than(seen.odometry, now, limit_s);
+}
+
+std::optional<double> Situation::range_m(Place place) const
+{
+  const RangeMedian & median = memory.medians[static_cast<std::size_t>(place)];
+  if (seconds_between(median.time(), now) > params.driver_silence_s) {
+    return std::nullopt;
+  }
+  return median.value_m();
+}
+
+std::optional<double> Situation::gap_m(Place place) const
+{
+  const auto range = range_m(place);
+  return range ? std::optional<double>(*range - recess_m(place, geometry)) : std::nullopt;
+}
+
+std::optional<double> Situation::front_gap_m() const
+{
+  std::optional<double> least;
+  for (const Place place : {Place::kFrontLeft, Place::kFrontRight, Place::kStairFront}) {
+    const auto gap = gap_m(place);
+    if (gap && (!least || *gap < *least)) {
+      least = gap;
+    }
+  }
+  return least;
+}
+
+std::optional<double> Situation::front_pair_m() const
+{
+  const auto left = range_m(Place::kFrontLeft);
+  const auto right = range_m(Place::kFrontRight);
+  if (!left || !right || !std::isfinite(*left) || !std::isfinite(*right)) {
+    return std::nullopt;
+  }
+  return (*left + *right) / 2.0 * std::cos(heading_rad());
+}
+
+bool Situation::stalled() const
+{
+  return memory.nearest_m < params.stall_zone_m &&
+         seconds_between(memory.nearest_time, now) > params.stall_s;
+}
+
+bool Situation::left_contact() const { return seen.contacts && any_closed(seen.contacts->left); }
+
+bool Situation::right_contact() const { return seen.contacts && any_closed(seen.contacts->right); }
+
+bool Situation::riser_left() const { return seen.contacts && closed(seen.contacts->riser_left); }
+
+bool Situation::riser_right() const { return seen.contacts && closed(seen.contacts->riser_right); }
+
+const Block & Situation::block(int number) const
+{
+  static const Block kUnknownBlock{};
+  return seen.blocks ? seen.blocks->block.at(static_cast<std::size_t>(number - 1)) : kUnknownBlock;
+}
+
+double Situation::height_m(int number) const { return block(number).height_m; }
+
+bool Situation::lifted(int number) const
+{
+  return block(number).at_upper_lock && !block(number).moving;
+}
+
+bool Situation::stands(int number) const
+{
+  const Block & b = block(number);
+  const bool bears = std::isnan(b.load) || b.load >= params.touch_down_load;
+  return seen.blocks && !b.moving && bears;
+}
+
+bool Situation::steering_at(double angle_rad) const
+{
+  return seen.blocks && !seen.blocks->steering_moving &&
+         std::abs(seen.blocks->steering_rad - angle_rad) <= params.steering_tolerance_rad;
+}
+
+}  // namespace stetro_supervisor

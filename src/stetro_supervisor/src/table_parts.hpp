@@ -1,0 +1,72 @@
+// Copyright 2026 The sTetro Authors
+//
+// Licensed under the Apache License, Version 2.0 (the "License");
+// you may not use this file except in compliance with the License.
+// You may obtain a copy of the License at
+//
+//     http://www.apache.org/licenses/LICENSE-2.0
+//
+// Unless required by applicable law or agreed to in writing, software
+// distributed under the License is distributed on an "AS IS" BASIS,
+// WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+// See the License for the specific language governing permissions and
+// limitations under the License.
+#ifndef TABLE_PARTS_HPP_
+#define TABLE_PARTS_HPP_
+
+#include <algorithm>
+#include <vector>
+
+#include "stetro_supervisor/transition_table.hpp"
+
+namespace stetro_supervisor
+{
+
+// The table in parts, joined and put in order by transition_table.cpp.
+std::vector<Row> approach_rows();
+std::vector<Row> follow_rows();
+std::vector<Row> sweep_rows();
+std::vector<Row> step_rows();
+std::vector<Row> standing_rows();
+
+// Commands and guards that several parts share.
+
+inline MotionCommand stay(const Situation &) { return hold(); }
+
+inline MotionCommand steer_along(const Situation &) { return steer(0.0); }
+
+inline MotionCommand steer_across(const Situation &) { return steer(kQuarterTurn_rad); }
+
+inline bool is_along(const Situation & s) { return s.steering_at(0.0); }
+
+inline bool is_across(const Situation & s) { return s.steering_at(kQuarterTurn_rad); }
+
+inline bool is_square(const Situation & s)
+{
+  return s.pose_sound() && std::abs(s.heading_rad()) <= s.params.square_rad;
+}
+
+inline MotionCommand turn_square(const Situation & s)
+{
+  return is_square(s) ? hold()
+                      : traverse(0.0, HeadingCorrection::turn_rate_rps(s.params, s.heading_rad()));
+}
+
+/// Forward towards something `gap_m` ahead: creeping over the last centimetres.
+inline MotionCommand roll_towards(const Situation & s, double gap_m)
+{
+  constexpr double kCreepZone_m = 0.03;
+  return roll(gap_m > kCreepZone_m ? s.params.roll_speed_mps : s.params.creep_speed_mps);
+}
+
+/// A lowered block has met its tread: the range says so and the load or the rest confirms (D3-7).
+inline bool touched_down(const Situation & s, int block, Place below)
+{
+  const auto gap = s.gap_m(below);
+  const bool near = gap && (*gap <= s.params.touch_down_gap_m || s.stalled());
+  return near && s.stands(block);
+}
+
+}  // namespace stetro_supervisor
+
+#endif  // TABLE_PARTS_HPP_

@@ -1,0 +1,116 @@
+// Copyright 2026 The sTetro Authors
+//
+// Licensed under the Apache License, Version 2.0 (the "License");
+// you may not use this file except in compliance with the License.
+// You may obtain a copy of the License at
+//
+//     http://www.apache.org/licenses/LICENSE-2.0
+//
+// Unless required by applicable law or agreed to in writing, software
+// distributed under the License is distributed on an "AS IS" BASIS,
+// WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+// See the License for the specific language governing permissions and
+// limitations under the License.
+#include "stetro_supervisor/rejoin.hpp"
+#include "table_parts.hpp"
+
+namespace stetro_supervisor
+{
+namespace
+{
+
+template <Asked what>
+bool asked(const Situation & s)
+{
+  return s.memory.asked == what;
+}
+
+bool cleared_with_mission(const Situation & s)
+{
+  return asked<Asked::kClearFault>(s) && s.memory.record.active;
+}
+
+template <State state>
+bool rejoins_at(const Situation & s)
+{
+  const auto choice = choose_entry(s);
+  return choice.entry && *choice.entry == state;
+}
+
+template <State state>
+Exit rejoin_exit(const char * when)
+{
+  return {when, rejoins_at<state>, state, Fault::kNone, [](const Situation &, Memory & memory) {
+            memory.realigns = 0;
+            memory.relifts = 0;
+            memory.leg_mark = memory.path;
+          }};
+}
+
+/// Where the robot stands still and nothing is under way.
+Row resting(State state, const char * entry, std::vector<Exit> exits)
+{
+  return {state,   entry,        [](const Situation &) { return nothing(); },
+          nullptr, Fault::kNone, std::move(exits),
+          false,   false};
+}
+
+/// Where the mission waits for an operator.
+Row waiting(State state, const char * entry, std::vector<Exit> exits)
+{
+  return {state, entry, stay, &ClimbParams::held_limit_s, Fault::kHeldTooLong, std::move(exits),
+          false, false};
+}
+
+Row rejoin_row()
+{
+  return {
+    State::kRejoin,
+    "started or resumed",
+    stay,
+    &ClimbParams::confirm_limit_s,
+    Fault::kEvidenceContradicts,
+    {rejoin_exit<State::kSteerToFind>("level on the floor"),
+     rejoin_exit<State::kLiftBlock1>("block 1 up, on the floor"),
+     rejoin_exit<State::kLowerBlock1>("block 1 over tread 1"),
+     rejoin_exit<State::kSteerToTrim>("on a tread, at its riser"),
+     rejoin_exit<State::kSteerAcross>("on a tread"), rejoin_exit<State::kLiftBlock2>("block 2 up"),
+     rejoin_exit<State::kConfirmStep>("block 2 just down"),
+     rejoin_exit<State::kLiftBlock3>("block 2 on k, others to follow"),
+     rejoin_exit<State::kLowerBlock3>("block 3 on its way down")}};
+}
+
+}  // namespace
+
+std::vector<Row> standing_rows()
+{
+  const Exit start{"start asked", asked<Asked::kStart>, State::kRejoin};
+  const Exit resume{"resume asked", asked<Asked::kResume>, State::kRejoin};
+  std::vector<Row> rows;
+  rows.push_back(resting(State::kIdle, "no mission", {start}));
+  rows.push_back(rejoin_row());
+  rows.push_back(
+    waiting(State::kHeld, "the driver fell silent or restarted, or this process did", {resume}));
+  rows.push_back(
+    {State::kWaitPose,
+     "the pose is not sound",
+     stay,
+     &ClimbParams::pose_limit_s,
+     Fault::kPoseLost,
+     {{"the pose is sound again", [](const Situation & s) { return s.pose_settled(); },
+       State::kRejoin}},
+     true,
+     false});
+  rows.push_back(waiting(State::kPaused, "pause asked", {resume}));
+  Row fault = resting(
+    State::kFault, "something is wrong",
+    {{"clear asked, a mission is under way", cleared_with_mission, State::kHeld},
+     {"clear asked", asked<Asked::kClearFault>, State::kIdle}});
+  fault.command = [](const Situation &) { return stop(); };
+  rows.push_back(fault);
+  rows.push_back(resting(State::kAborted, "abort asked", {start}));
+  rows.push_back(resting(State::kFinished, "on N with the front free", {start}));
+  return rows;
+}
+
+}  // namespace stetro_supervisor
