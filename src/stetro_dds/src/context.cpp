@@ -22,11 +22,11 @@
 #include <memory>
 #include <optional>
 #include <sstream>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "participant.hpp"
+#include "stetro_config/fault.hpp"
 
 namespace stetro_dds
 {
@@ -44,7 +44,7 @@ std::optional<std::string> variable(const char * name)
 [[noreturn]] void refuse(
   const std::string & name, const std::string & value, const std::string & accepted)
 {
-  throw std::invalid_argument(name + "='" + value + "': accepted is " + accepted);
+  throw stetro_config::ConfigError({{"environment", 0, name, value, accepted}});
 }
 
 std::uint32_t domain_id()

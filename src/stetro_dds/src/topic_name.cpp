@@ -15,9 +15,9 @@
 #include "stetro_dds/topic_name.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace stetro_dds
@@ -53,8 +53,7 @@ std::string_view broken_rule(std::string_view part)
 
 [[noreturn]] void refuse(std::string_view what, std::string_view name, std::string_view accepted)
 {
-  throw std::invalid_argument(
-    std::string(what) + " '" + std::string(name) + "': accepted is " + std::string(accepted));
+  throw NameError(std::string(what), std::string(name), std::string(accepted));
 }
 
 /// Checks "/a/b".
@@ -98,6 +97,14 @@ std::string expand(std::string_view topic, const NodeName & node)
 }
 
 }  // namespace
+
+NameError::NameError(std::string of_kind, std::string name, std::string rule)
+: std::invalid_argument(of_kind + " '" + name + "': accepted is " + rule),
+  kind(std::move(of_kind)),
+  value(std::move(name)),
+  accepted(std::move(rule))
+{
+}
 
 std::string NodeName::full() const { return join(ns, name); }
 

@@ -16,17 +16,14 @@
 #define STETRO_DDS__CLOCK_HPP_
 
 #include <chrono>
-#include <cstdint>
 #include <mutex>
 #include <optional>
 
+#include "stetro_dds/monotone_time.hpp"
 #include "stetro_dds/refusal.hpp"
 
 namespace stetro_dds
 {
-
-/// Nanoseconds since the epoch, or since the origin of simulated time.
-using Time = std::chrono::nanoseconds;
 
 /// Where a clock's time comes from.
 enum class TimeSource {
@@ -35,20 +32,9 @@ enum class TimeSource {
   kByHand       ///< `Clock::set`, called by the process that owns simulated time
 };
 
-/// What went wrong with time so far; all zero on a good day.
-struct ClockFaults
-{
-  std::uint64_t zero = 0;       ///< settings to zero or less, refused
-  std::uint64_t backwards = 0;  ///< settings (simulated) or steps (system) backwards, refused
-  std::uint64_t forwards = 0;   ///< steps of the system clock forwards of more than 1 s, followed
-  Time behind{0};               ///< how far the system clock lies behind what `now()` says
-};
-
 /// The time a node stamps with, and a steady companion to measure ages with.
 /**
- * `now()` never runs backwards. When the computer's clock is stepped back, `now()` goes on at the
- * steady clock's rate from where it was, loses the excess at 1 in 1000, and the step is counted;
- * a step forwards is followed and counted.
+ * `now()` never runs backwards: see MonotoneTime for the computer's clock, `set` for a simulated one.
  *
  * Safe to use from several threads.
  */
@@ -77,13 +63,11 @@ public:
   [[nodiscard]] ClockFaults faults() const;
 
 private:
-  Time system_now() const;
-
   const TimeSource source_;
   mutable std::mutex mutex_;
-  mutable Time now_{0};            ///< last answer (system) or last setting (simulated)
-  mutable Time steady_at_now_{0};  ///< steady time of that answer
-  mutable ClockFaults faults_;
+  mutable MonotoneTime system_;
+  Time simulated_{0};
+  ClockFaults simulated_faults_;
 };
 
 }  // namespace stetro_dds

@@ -54,7 +54,7 @@ struct ContextOptions
   /**
    * Those are ROS_LOCALHOST_ONLY, ROS_AUTOMATIC_DISCOVERY_RANGE and ROS_STATIC_PEERS; without
    * them the scope is kLocalhost: the wider one is asked for, never assumed.
-   * \throws std::invalid_argument naming the variable, its value and what is accepted
+   * \throws stetro_config::ConfigError naming the variable, its value and what is accepted
    */
   static ContextOptions from_environment();
 };

@@ -15,12 +15,24 @@
 #ifndef STETRO_DDS__TOPIC_NAME_HPP_
 #define STETRO_DDS__TOPIC_NAME_HPP_
 
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace stetro_dds
 {
+
+/// A name that breaks a rule of ROS 2.
+class NameError : public std::invalid_argument
+{
+public:
+  NameError(std::string kind, std::string value, std::string rule);
+
+  const std::string kind;      ///< "topic", "namespace" or "node name"
+  const std::string value;     ///< the name
+  const std::string accepted;  ///< what would be accepted, in words
+};
 
 /// A node's name in the graph: namespace ("/", "/stetro") and name ("driver").
 struct NodeName
@@ -32,7 +44,7 @@ struct NodeName
   [[nodiscard]] std::string full() const;
 };
 
-/// \throws std::invalid_argument naming the rule that the namespace or the name breaks
+/// \throws NameError for the rule that the namespace or the name breaks
 void validate(const NodeName & node);
 
 /// One `-r from:=to` of the ROS 2 command line, both names as the person wrote them.
@@ -47,7 +59,7 @@ struct Remapping
  * `scan` becomes `<ns>/scan`, `~/scan` becomes `<ns>/<name>/scan`, `/scan` stays. The first
  * remapping whose resolved `from` is that name then replaces it by its resolved `to`.
  *
- * \throws std::invalid_argument naming the topic and the rule it breaks
+ * \throws NameError for the rule that the topic breaks
  */
 std::string resolve_topic(
   std::string_view topic, const NodeName & node, const std::vector<Remapping> & remappings = {});
