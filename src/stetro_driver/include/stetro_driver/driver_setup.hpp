@@ -1,0 +1,42 @@
+// Copyright 2026 The sTetro Authors
+//
+// Licensed under the Apache License, Version 2.0 (the "License");
+// you may not use this file except in compliance with the License.
+// You may obtain a copy of the License at
+//
+//     http://www.apache.org/licenses/LICENSE-2.0
+//
+// Unless required by applicable law or agreed to in writing, software
+// distributed under the License is distributed on an "AS IS" BASIS,
+// WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+// See the License for the specific language governing permissions and
+// limitations under the License.
+
+#ifndef STETRO_DRIVER__DRIVER_SETUP_HPP_
+#define STETRO_DRIVER__DRIVER_SETUP_HPP_
+
+#include <optional>
+
+#include "stetro_config/fault.hpp"
+#include "stetro_driver/params.hpp"
+#include "stetro_site/flight.hpp"
+#include "stetro_site/robot.hpp"
+
+namespace stetro_driver
+{
+
+/// Everything that a driver is made of, read and found to fit together.
+struct DriverSetup
+{
+  DriverParams params;
+  stetro_site::Flight flight;  ///< the one that the simulated robot climbs
+  stetro_site::Robot robot;
+};
+
+/// Reads the site and robot files that the parameters name. Nothing if a fault was added.
+[[nodiscard]] std::optional<DriverSetup> read_setup(
+  const DriverParams & params, stetro_config::Faults & faults);
+
+}  // namespace stetro_driver
+
+#endif  // STETRO_DRIVER__DRIVER_SETUP_HPP_

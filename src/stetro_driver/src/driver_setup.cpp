@@ -1,0 +1,67 @@
+// Copyright 2026 The sTetro Authors
+//
+// Licensed under the Apache License, Version 2.0 (the "License");
+// you may not use this file except in compliance with the License.
+// You may obtain a copy of the License at
+//
+//     http://www.apache.org/licenses/LICENSE-2.0
+//
+// Unless required by applicable law or agreed to in writing, software
+// distributed under the License is distributed on an "AS IS" BASIS,
+// WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+// See the License for the specific language governing permissions and
+// limitations under the License.
+
+#include "stetro_driver/driver_setup.hpp"
+
+#include <string>
+
+#include "stetro_site/fit.hpp"
+
+namespace stetro_driver
+{
+namespace
+{
+
+/// The flight that the parameters mean; null, and a fault, when there is none.
+const stetro_site::Flight * find_flight(
+  const stetro_site::Site & site, const std::string & id, stetro_config::Faults & faults)
+{
+  if (!id.empty()) {
+    if (const auto * flight = site.find_flight(id)) {
+      return flight;
+    }
+  } else if (site.flights().size() == 1) {
+    return &site.flights().front();
+  }
+  std::string accepted = "one of";
+  for (const stetro_site::Flight & flight : site.flights()) {
+    accepted += " " + flight.id();
+  }
+  faults.refuse("flight", id.empty() ? stetro_config::kMissing : id, accepted);
+  return nullptr;
+}
+
+}  // namespace
+
+std::optional<DriverSetup> read_setup(const DriverParams & params, stetro_config::Faults & faults)
+{
+  if (params.site_file.empty() || params.robot_file.empty()) {
+    return std::nullopt;  // check(DriverParams) has said so
+  }
+  try {
+    auto deployment = stetro_site::load_deployment(params.site_file, params.robot_file);
+    const auto * flight = find_flight(deployment.site, params.flight, faults);
+    if (flight == nullptr) {
+      return std::nullopt;
+    }
+    return DriverSetup{params, *flight, deployment.robot};
+  } catch (const stetro_config::ConfigError & error) {
+    for (const stetro_config::Fault & fault : error.faults()) {
+      faults.add(fault);
+    }
+    return std::nullopt;
+  }
+}
+
+}  // namespace stetro_driver

@@ -1,0 +1,147 @@
+// Copyright 2026 The sTetro Authors
+//
+// Licensed under the Apache License, Version 2.0 (the "License");
+// you may not use this file except in compliance with the License.
+// You may obtain a copy of the License at
+//
+//     http://www.apache.org/licenses/LICENSE-2.0
+//
+// Unless required by applicable law or agreed to in writing, software
+// distributed under the License is distributed on an "AS IS" BASIS,
+// WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+// See the License for the specific language governing permissions and
+// limitations under the License.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "node/convert.hpp"
+
+namespace stetro_driver
+{
+namespace
+{
+
+TEST(Convert, TimeThereAndBackIsTheIdentity)
+{
+  for (const Time time : {Time{0}, Time{1}, Time{999'999'999}, Time{1'000'000'010'000'000}}) {
+    EXPECT_EQ(to_time(to_message(time)), time);
+  }
+  EXPECT_EQ(to_message(Time{1'500'000'000}).sec(), 1);
+  EXPECT_EQ(to_message(Time{1'500'000'000}).nanosec(), 500'000'000u);
+}
+
+TEST(Convert, ReadsACommand)
+{
+  stetro_msgs::msg::Command message;
+  message.header().stamp().sec(1000);
+  message.header().stamp().nanosec(250'000'000);
+  message.sequence_number(12);
+  message.issuer("supervisor");
+  message.issuer_instance(99);
+  message.valid_for().nanosec(150'000'000);
+  message.kind(stetro_msgs::msg::Command_Constants::KIND_LOWER);
+  message.block(2);
+  const CommandRequest request = to_request(message);
+  EXPECT_EQ(request.issuer, "supervisor");
+  EXPECT_EQ(request.issuer_instance, 99u);
+  EXPECT_EQ(request.sequence_number, 12u);
+  EXPECT_EQ(request.stamp, std::chrono::milliseconds{1'000'250});
+  EXPECT_EQ(request.valid_for, std::chrono::milliseconds{150});
+  EXPECT_EQ(request.motion.kind, MotionKind::kLower);
+  EXPECT_EQ(request.motion.block, 2);
+}
+
+TEST(Convert, AKindThatNobodyKnowsIsNotGuessed)
+{
+  stetro_msgs::msg::Command message;
+  for (const int kind : {0, 7, 200}) {
+    message.kind(static_cast<std::uint8_t>(kind));
+    EXPECT_EQ(to_request(message).motion.kind, MotionKind::kUnknown) << kind;
+  }
+}
+
+TEST(Convert, NamesRangesByPlaceWithTheirOwnStamps)
+{
+  SensorFrame frame;
+  frame.time = std::chrono::seconds{1001};
+  frame.ranges[0].stamp = std::chrono::milliseconds{1'000'980};
+  frame.ranges[0].range_m = 0.5;
+  frame.ranges[0].status = RangeStatus::kValid;
+  frame.ranges[4].range_m = std::numeric_limits<double>::infinity();
+  frame.ranges[4].status = RangeStatus::kNoTarget;
+  const auto message = to_ranges(frame);
+  ASSERT_EQ(message.readings().size(), kRangePlaces);
+  EXPECT_EQ(std::string(message.readings()[0].sensor().c_str()), "side_left");
+  EXPECT_EQ(message.readings()[0].stamp().nanosec(), 980'000'000u);
+  EXPECT_EQ(message.readings()[0].range(), 0.5);
+  EXPECT_EQ(std::string(message.readings()[4].sensor().c_str()), "stair_front");
+  EXPECT_TRUE(std::isinf(message.readings()[4].range()));
+  EXPECT_EQ(
+    message.readings()[4].status(), stetro_msgs::msg::RangeReading_Constants::STATUS_NO_TARGET);
+}
+
+TEST(Convert, AClosedBumperIsClosedOnTheWire)
+{
+  SensorFrame frame;
+  auto & bumper = frame.contacts[static_cast<std::size_t>(ContactPlace::kRightRear)];
+  bumper.closed = true;
+  bumper.last_change = std::chrono::seconds{1000};
+  const auto message = to_contacts(frame);
+  EXPECT_EQ(message.right_rear().state(), stetro_msgs::msg::ContactState_Constants::STATE_CLOSED);
+  EXPECT_EQ(message.right_rear().last_change().sec(), 1000);
+  EXPECT_EQ(message.left_rear().state(), stetro_msgs::msg::ContactState_Constants::STATE_OPEN);
+}
+
+/// The image of the unit vector x under a quaternion.
+Vector3 rotated_x(const geometry_msgs::msg::Quaternion & q)
+{
+  return {
+    1.0 - 2.0 * (q.y() * q.y() + q.z() * q.z()), 2.0 * (q.x() * q.y() + q.z() * q.w()),
+    2.0 * (q.x() * q.z() - q.y() * q.w())};
+}
+
+TEST(Convert, SensorFramesLookAlongTheirBeams)
+{
+  const BodyShape body;
+  const auto message = to_static_transforms(Time{1}, body);
+  ASSERT_EQ(message.transforms().size(), kRangePlaces);
+  for (std::size_t i = 0; i < kRangePlaces; ++i) {
+    const Vector3 looks = rotated_x(message.transforms()[i].transform().rotation());
+    EXPECT_NEAR(looks.x, body.tof[i].direction.x, 1e-9) << kRangeNames[i];
+    EXPECT_NEAR(looks.y, body.tof[i].direction.y, 1e-9) << kRangeNames[i];
+    EXPECT_NEAR(looks.z, body.tof[i].direction.z, 1e-9) << kRangeNames[i];
+  }
+  EXPECT_EQ(message.transforms()[2].header().frame_id(), "block1");
+  EXPECT_NEAR(message.transforms()[2].transform().translation().x(), 0.04, 1e-12);
+}
+
+TEST(Convert, BlocksHangWhereTheyAre)
+{
+  SensorFrame frame;
+  frame.blocks[0].height_m = 0.14;
+  frame.blocks[1].height_m = 0.18;  // lifted off the tread that block 3 stands on
+  const auto lifted = to_transforms(frame, BodyShape{});
+  EXPECT_NEAR(lifted.transforms()[2].transform().translation().z(), 0.18, 1e-12);
+  frame.blocks[1].height_m = 0.14;
+  frame.blocks[1].at_lower_lock = true;
+  const auto standing = to_transforms(frame, BodyShape{});
+  EXPECT_NEAR(standing.transforms()[2].transform().translation().z(), 0.0, 1e-12);
+  EXPECT_NEAR(standing.transforms()[3].transform().translation().z(), -0.14, 1e-12);
+}
+
+TEST(Convert, WhatTheGyroDoesNotMeasureIsSaidSo)
+{
+  GyroReading gyro;
+  gyro.rate_rad_s = {0.0, 0.0, 0.25};
+  const auto message = to_imu(gyro);
+  EXPECT_EQ(message.orientation_covariance()[0], -1.0);
+  EXPECT_EQ(message.linear_acceleration_covariance()[0], -1.0);
+  EXPECT_EQ(message.angular_velocity().z(), 0.25);
+}
+
+}  // namespace
+}  // namespace stetro_driver
