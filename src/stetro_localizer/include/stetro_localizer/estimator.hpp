@@ -1,0 +1,110 @@
+// Copyright 2026 The sTetro Authors
+//
+// Licensed under the Apache License, Version 2.0 (the "License");
+// you may not use this file except in compliance with the License.
+// You may obtain a copy of the License at
+//
+//     http://www.apache.org/licenses/LICENSE-2.0
+//
+// Unless required by applicable law or agreed to in writing, software
+// distributed under the License is distributed on an "AS IS" BASIS,
+// WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+// See the License for the specific language governing permissions and
+// limitations under the License.
+
+#ifndef STETRO_LOCALIZER__ESTIMATOR_HPP_
+#define STETRO_LOCALIZER__ESTIMATOR_HPP_
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "stetro_localizer/integrity.hpp"
+#include "stetro_localizer/outcome.hpp"
+#include "stetro_localizer/params.hpp"
+#include "stetro_localizer/samples.hpp"
+#include "stetro_localizer/state_file.hpp"
+#include "stetro_site/flight.hpp"
+#include "stetro_site/frame_transform.hpp"
+#include "stetro_site/pose.hpp"
+#include "stetro_site/robot_geometry.hpp"
+
+namespace stetro_localizer
+{
+
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+/// Where the robot is on its flight. Numbers that are not known are NaN.
+struct StairEstimate
+{
+  Nanoseconds stamp{0};     ///< time it is for; never runs backwards
+  std::optional<int> step;  ///< tread block 2 stands on, 0 the floor below
+  stetro_site::Pose pose{kUnknown, kUnknown, kUnknown, kUnknown};        ///< in the flight frame
+  stetro_site::Covariance covariance = stetro_site::Covariance::Zero();  ///< of the pose
+  double tread_x_m = kUnknown;  ///< from the tread's own riser [m]
+  double tread_y_m = kUnknown;  ///< from the right wall [m]
+  std::array<double, 3> block_heights_m{kUnknown, kUnknown, kUnknown};  ///< in the flight frame
+  Integrity integrity = Integrity::kLost;
+  std::uint32_t reasons = kNotInitialised;  ///< bits of `Reason`
+  std::uint32_t reset_counter = 0;          ///< jumps of the estimate
+  stetro_site::Pose reset_delta;            ///< how far the last one went
+  std::optional<double> measured_x_m;       ///< x by the front pair (D1-13) [m]
+  std::optional<double> contact_closure_m;  ///< eq. (3) of this tread [m]
+};
+
+/// A constant error that the estimator learns.
+struct Bias
+{
+  const char * name;        ///< of the sensor or source
+  ScalarEstimate estimate;  ///< [m], or [rad/s] for the gyroscope
+};
+
+/// Estimates the pose on one flight from samples that each carry their time.
+/**
+ * Samples may come in any order between kinds and must be in order within a kind. `now` is the
+ * reader's time at which the sample is looked at: stamps are refused against it, silence is counted
+ * on it. A refused sample changes nothing but its count. No clock is read, nothing throws, and no
+ * memory is allocated while samples are taken. One thread.
+ */
+class Estimator
+{
+public:
+  virtual ~Estimator() = default;
+
+  /// Begins from what the state file gave; call it once, before the first sample.
+  virtual void begin(const StateReading & stored) = 0;
+
+  virtual Verdict add_ranges(const RangeSample & sample, Nanoseconds now) = 0;
+  virtual Verdict add_contacts(const ContactSample & sample, Nanoseconds now) = 0;
+  virtual Verdict add_blocks(const BlockSample & sample, Nanoseconds now) = 0;
+  virtual Verdict add_gyro(const GyroSample & sample, Nanoseconds now) = 0;
+  virtual Verdict add_odometry(const OdometrySample & sample, Nanoseconds now) = 0;
+
+  /// Lets time pass: notices inputs that have stopped.
+  virtual void tick(Nanoseconds now) = 0;
+
+  /// Takes a pose in the flight frame that an operator tells.
+  /** \return nothing if it was taken, otherwise why not */
+  virtual std::optional<std::string> tell_pose(
+    const stetro_site::Pose & pose, const stetro_site::Covariance & covariance) = 0;
+
+  [[nodiscard]] virtual const StairEstimate & estimate() const = 0;
+  [[nodiscard]] virtual const SourceReports & reports() const = 0;
+  [[nodiscard]] virtual std::array<Bias, 4> biases() const = 0;
+
+  /// What should survive a restart, and a number that rises whenever it changed.
+  [[nodiscard]] virtual StoredState state_to_store() const = 0;
+  [[nodiscard]] virtual std::uint64_t state_version() const = 0;
+};
+
+/// The estimator that the parameters name.
+[[nodiscard]] std::unique_ptr<Estimator> make_estimator(
+  const LocalizerParams & params, const stetro_site::RobotGeometry & robot,
+  const stetro_site::Flight & flight);
+
+}  // namespace stetro_localizer
+
+#endif  // STETRO_LOCALIZER__ESTIMATOR_HPP_

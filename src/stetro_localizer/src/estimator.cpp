@@ -1,0 +1,34 @@
+// Copyright 2026 The sTetro Authors
+//
+// Licensed under the Apache License, Version 2.0 (the "License");
+// you may not use this file except in compliance with the License.
+// You may obtain a copy of the License at
+//
+//     http://www.apache.org/licenses/LICENSE-2.0
+//
+// Unless required by applicable law or agreed to in writing, software
+// distributed under the License is distributed on an "AS IS" BASIS,
+// WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+// See the License for the specific language governing permissions and
+// limitations under the License.
+
+#include "stetro_localizer/estimator.hpp"
+
+#include <stdexcept>
+
+#include "stetro_localizer/paper_estimator.hpp"
+
+namespace stetro_localizer
+{
+
+std::unique_ptr<Estimator> make_estimator(
+  const LocalizerParams & params, const stetro_site::RobotGeometry & robot,
+  const stetro_site::Flight & flight)
+{
+  if (params.estimator == "paper") {
+    return std::make_unique<PaperEstimator>(params, robot, flight);
+  }
+  throw std::invalid_argument("estimator: '" + params.estimator + "' refused, accepted: paper");
+}
+
+}  // namespace stetro_localizer

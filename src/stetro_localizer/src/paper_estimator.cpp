@@ -1,0 +1,388 @@
+// Copyright 2026 The sTetro Authors
+//
+// Licensed under the Apache License, Version 2.0 (the "License");
+// you may not use this file except in compliance with the License.
+// You may obtain a copy of the License at
+//
+//     http://www.apache.org/licenses/LICENSE-2.0
+//
+// Unless required by applicable law or agreed to in writing, software
+// distributed under the License is distributed on an "AS IS" BASIS,
+// WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+// See the License for the specific language governing permissions and
+// limitations under the License.
+
+#include "stetro_localizer/paper_estimator.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "stetro_localizer/front_reference.hpp"
+
+namespace stetro_localizer
+{
+namespace
+{
+
+// x measured off its tread by less, or for less time, is an error of measurement or a passing beam.
+constexpr double kOutsideMargin = 0.06;  // [m]
+constexpr double kOutsideTime = 0.5;     // [s]
+constexpr double kTilt = 0.0175;         // a block stands level within this [rad]
+
+Nanoseconds nanoseconds(double duration_s)
+{
+  return std::chrono::duration_cast<Nanoseconds>(std::chrono::duration<double>(duration_s));
+}
+
+double squared(double value) { return value * value; }
+
+std::vector<double> risers_of(const stetro_site::Flight & flight)
+{
+  std::vector<double> risers_m;
+  for (int i = 1; i <= flight.steps(); ++i) {
+    risers_m.push_back(flight.riser_m(i));
+  }
+  return risers_m;
+}
+
+Refusal fault_of(std::initializer_list<double> numbers)
+{
+  const bool finite =
+    std::all_of(numbers.begin(), numbers.end(), [](double n) { return std::isfinite(n); });
+  return finite ? Refusal::kNone : Refusal::kNotFinite;
+}
+
+Refusal fault_of(const BlockSample & sample)
+{
+  for (const BlockReading & block : sample.blocks) {
+    if (!block.fault && !std::isfinite(block.height_m)) {
+      return Refusal::kNotFinite;
+    }
+    if (!block.fault && block.height_m < 0.0) {
+      return Refusal::kNegative;
+    }
+  }
+  return Refusal::kNone;
+}
+
+}  // namespace
+
+PaperEstimator::PaperEstimator(
+  const LocalizerParams & params, const stetro_site::RobotGeometry & robot,
+  const stetro_site::Flight & flight)
+: params_(params),
+  robot_(robot),
+  flight_(flight),
+  watch_(params.silence_s),
+  standstill_(params.standstill),
+  heading_(params.heading, params.gyro, robot),
+  lateral_(params.lateral, robot),
+  steps_(risers_of(flight), robot.contact_reading_m(Place::kBlock2Down), params.steps),
+  closure_(flight.width_m(0.0), robot.contact_width_m)
+{
+  guards_.fill(
+    StampGuard({nanoseconds(params.future_tolerance_s), nanoseconds(params.max_sample_age_s)}));
+}
+
+Verdict PaperEstimator::admit(Source input, Nanoseconds stamp, Nanoseconds now, Refusal fault)
+{
+  if (fault == Refusal::kNone) {
+    fault = guards_[static_cast<std::size_t>(input)].accept(stamp, now);
+  }
+  Verdict verdict{Outcome::kFused, fault};
+  if (fault != Refusal::kNone) {
+    verdict = Verdict::refused(fault);
+  } else {
+    watch_.note(input, now);
+  }
+  reports_[input].note(verdict);
+  return verdict;
+}
+
+Verdict PaperEstimator::add_gyro(const GyroSample & sample, Nanoseconds now)
+{
+  const Verdict verdict = admit(Source::kGyro, sample.stamp, now, fault_of({sample.rate_radps}));
+  if (!verdict.is_refused()) {
+    heading_.add_gyro(sample, standstill_.standing());
+  }
+  return verdict;
+}
+
+Verdict PaperEstimator::add_odometry(const OdometrySample & sample, Nanoseconds now)
+{
+  const Nanoseconds before = guards_[static_cast<std::size_t>(Source::kOdometry)].last();
+  const Verdict verdict = admit(
+    Source::kOdometry, sample.stamp, now,
+    fault_of({sample.vx_mps, sample.vy_mps, sample.wz_radps}));
+  if (verdict.is_refused()) {
+    return verdict;
+  }
+  standstill_.note(sample);
+  const double dt_s =
+    before == Nanoseconds{0} ? 0.0 : std::min(seconds(sample.stamp - before), params_.silence_s);
+  const double yaw = heading_.yaw_rad();
+  travel_x_m_ += (sample.vx_mps * std::cos(yaw) - sample.vy_mps * std::sin(yaw)) * dt_s;
+  lateral_.travel((sample.vx_mps * std::sin(yaw) + sample.vy_mps * std::cos(yaw)) * dt_s);
+  return verdict;
+}
+
+Verdict PaperEstimator::add_blocks(const BlockSample & sample, Nanoseconds now)
+{
+  const Verdict verdict = admit(Source::kBlocks, sample.stamp, now, fault_of(sample));
+  if (!verdict.is_refused()) {
+    take_step_event(steps_.add(sample, block2_down_m_));
+  }
+  return verdict;
+}
+
+void PaperEstimator::take_step_event(StepEvent event)
+{
+  if (event == StepEvent::kNone) {
+    return;
+  }
+  ++step_changes_;
+  if (event == StepEvent::kClimbed || event == StepEvent::kUndone) {
+    closure_ = ContactClosure(width_here_m(), robot_.contact_width_m);
+    foot_assumed_ = false;
+  }
+  if (event == StepEvent::kUndone) {
+    ++told_;
+  }
+  if (event == StepEvent::kLost) {
+    step_reasons_ = kStepUncertain;
+    foot_assumed_ = false;
+  }
+}
+
+Verdict PaperEstimator::add_contacts(const ContactSample & sample, Nanoseconds now)
+{
+  const Verdict verdict = admit(Source::kContacts, sample.stamp, now, Refusal::kNone);
+  if (verdict.is_refused()) {
+    return verdict;
+  }
+  const LateralView view = lateral_view();
+  add_bumpers(Side::kLeft, sample, view);
+  add_bumpers(Side::kRight, sample, view);
+  SourceReport & switches = reports_[Source::kRiserSwitches];
+  const bool both = sample.riser_left.is_closed() && sample.riser_right.is_closed();
+  const Verdict pressed = heading_.add_switches(both, switches);
+  switches.note(pressed);
+  switch_conflict_ = pressed.outcome == Outcome::kGated;
+  return verdict;
+}
+
+void PaperEstimator::add_bumpers(Side side, const ContactSample & sample, const LateralView & view)
+{
+  const bool left = side == Side::kLeft;
+  SourceReport & report = reports_[left ? Source::kBumperLeft : Source::kBumperRight];
+  std::optional<double> before;
+  report.note(lateral_.add_bumpers(
+    side, left ? sample.left : sample.right, sample.stamp, view, report, before));
+  if (before) {
+    left ? closure_.note_left(*before) : closure_.note_right(*before);
+  }
+}
+
+Verdict PaperEstimator::add_ranges(const RangeSample & sample, Nanoseconds now)
+{
+  const Verdict verdict = admit(Source::kRanges, sample.stamp, now, Refusal::kNone);
+  if (verdict.is_refused()) {
+    return verdict;
+  }
+  const RangeReading & down = sample[Place::kBlock2Down];
+  block2_down_m_ =
+    down.status == RangeStatus::kValid ? std::optional<double>(down.range_m) : std::nullopt;
+
+  SourceReport & pair = reports_[Source::kFrontPair];
+  pair.note(heading_.add_pair(
+    sample[Place::kFrontLeft], sample[Place::kFrontRight], riser_ahead_of_beams(sample),
+    travel_x_m_, pair));
+  measure_x(sample.stamp);
+
+  const LateralView view = lateral_view();
+  SourceReport & left = reports_[Source::kSideLeft];
+  SourceReport & right = reports_[Source::kSideRight];
+  left.note(lateral_.add_range(Side::kLeft, sample[Place::kSideLeft], view, left));
+  right.note(lateral_.add_range(Side::kRight, sample[Place::kSideRight], view, right));
+  lateral_.choose(sample.stamp, view);
+  refresh(sample.stamp);
+  return verdict;
+}
+
+void PaperEstimator::tick(Nanoseconds now)
+{
+  silent_ = watch_.any_silent(now);
+  refresh(estimate_.stamp);
+}
+
+LateralView PaperEstimator::lateral_view() const
+{
+  LateralView view;
+  view.yaw_rad = heading_.yaw_rad();
+  view.yaw_variance = heading_.variance();
+  view.width_m = width_here_m();
+  view.wall_left = flight_.spec().left == stetro_site::Side::kWalled;
+  view.wall_right = flight_.spec().right == stetro_site::Side::kWalled;
+  return view;
+}
+
+double PaperEstimator::width_here_m() const
+{
+  const int step = steps_.step().value_or(0);
+  return flight_.width_m(step > 0 ? flight_.tread_centre_m(step) : 0.0);
+}
+
+std::optional<int> PaperEstimator::riser_ahead_of_beams(const RangeSample & sample) const
+{
+  const auto heights = steps_.heights_in_flight();
+  if (
+    !heights || sees_side_wall(Place::kFrontLeft, sample[Place::kFrontLeft]) ||
+    sees_side_wall(Place::kFrontRight, sample[Place::kFrontRight])) {
+    return std::nullopt;
+  }
+  const double beam_z_m = (*heights)[0] + robot_.at(Place::kFrontLeft).height_m;
+  return riser_ahead(flight_, beam_z_m, params_.heading.nosing_margin_m);
+}
+
+// Beside a wall the cone of the outer beam takes the wall in and reads short, which looks like a
+// turn: at contact, 1.5 cm from the wall, by tens of degrees.
+bool PaperEstimator::sees_side_wall(Place front, const RangeReading & reading) const
+{
+  const auto y_m = lateral_.y_m();
+  if (!y_m || reading.status != RangeStatus::kValid) {
+    return false;
+  }
+  const auto & mount = robot_.at(front);
+  const double yaw = heading_.yaw_rad();
+  const double beam_y_m = *y_m + mount.x_m * std::sin(yaw) + mount.y_m * std::cos(yaw);
+  const double reach_m =
+    reading.range_m * std::tan(robot_.range_sensor.cone_rad / 2.0) + params_.heading.wall_margin_m;
+  return beam_y_m < reach_m || width_here_m() - beam_y_m < reach_m;
+}
+
+// x_meas = x_riser - (d + mount) cos psi (D1-13): gives x on the floor, and doubts the step.
+void PaperEstimator::measure_x(Nanoseconds stamp)
+{
+  const auto distance = heading_.riser_distance_m(stamp, travel_x_m_);
+  const auto step = steps_.step();
+  estimate_.measured_x_m.reset();
+  if (!distance || !step) {
+    outside_since_ = Nanoseconds{0};
+    return;
+  }
+  const double reach_m = *distance + robot_.at(Place::kFrontLeft).x_m;
+  const double x_m =
+    flight_.riser_x_m(*heading_.riser_in_use()) - reach_m * std::cos(heading_.yaw_rad());
+  estimate_.measured_x_m = x_m;
+  foot_assumed_ = false;
+  if (*step == 0) {
+    floor_x_m_ = x_m;
+    floor_travel_m_ = travel_x_m_;
+  }
+  const bool outside = *step > 0 && !steps_.block2_aloft() &&
+                       (x_m < flight_.tread_start_m(*step) - kOutsideMargin ||
+                        x_m > flight_.tread_end_m(*step) + kOutsideMargin);
+  if (!outside) {
+    outside_since_ = Nanoseconds{0};
+  } else if (outside_since_ == Nanoseconds{0}) {
+    outside_since_ = stamp;
+  }
+  outside_tread_ = outside && seconds(stamp - outside_since_) > kOutsideTime;
+}
+
+void PaperEstimator::refresh(Nanoseconds stamp)
+{
+  const stetro_site::Pose before = estimate_.pose;
+  estimate_.stamp = std::max(estimate_.stamp, stamp);
+  refresh_position();
+  refresh_covariance();
+  refresh_integrity();
+  estimate_.contact_closure_m = closure_.error_m();
+  count_resets(before);
+}
+
+void PaperEstimator::refresh_position()
+{
+  const auto step = steps_.step();
+  estimate_.step = step;
+  estimate_.pose = {kUnknown, lateral_.y_m().value_or(kUnknown), kUnknown, heading_.yaw_rad()};
+  estimate_.tread_x_m = kUnknown;
+  estimate_.tread_y_m = estimate_.pose.y_m;
+  estimate_.block_heights_m =
+    steps_.heights_in_flight().value_or(std::array<double, 3>{kUnknown, kUnknown, kUnknown});
+  if (!step) {
+    return;
+  }
+  estimate_.pose.z_m = flight_.tread_z_m(*step);
+  if (*step == 0) {
+    estimate_.pose.x_m = floor_x_m_ + travel_x_m_ - floor_travel_m_;
+  } else {
+    estimate_.pose.x_m = flight_.tread_centre_m(*step);
+    estimate_.tread_x_m = estimate_.pose.x_m - flight_.tread_start_m(*step);
+  }
+}
+
+void PaperEstimator::refresh_covariance()
+{
+  const LateralView view = lateral_view();
+  auto & covariance = estimate_.covariance;
+  covariance.setZero();
+  // x is a choice, not a measurement: the robot is anywhere on its tread.
+  const int step = estimate_.step.value_or(0);
+  const double room_m = flight_.tread_m(std::max(step, 1));
+  covariance(0, 0) = squared(room_m) / 12.0;
+  covariance(1, 1) = lateral_.variance_m2(view);
+  covariance(2, 2) = squared(params_.rise_sigma_m) * std::max(step, 1);
+  covariance(3, 3) = squared(kTilt);
+  covariance(4, 4) = squared(kTilt);
+  covariance(5, 5) = view.yaw_variance;
+  covariance(1, 5) = covariance(5, 1) = lateral_.slope_yaw() * view.yaw_variance;
+}
+
+void PaperEstimator::refresh_integrity()
+{
+  const auto flag = [](bool raised, std::uint32_t reason) { return raised ? reason : 0u; };
+  const bool known = steps_.step().has_value();
+  std::uint32_t reasons = 0;
+  if (!known) {
+    reasons |= steps_.awaiting_blocks() ? std::uint32_t{kNotInitialised} : step_reasons_;
+  }
+  const double yaw_sigma = std::sqrt(heading_.reference_variance());
+  reasons |= flag(!lateral_.measured(), kNoSideRange);
+  reasons |= flag(yaw_sigma > params_.heading.sigma_limit_rad, kNoFrontReference);
+  reasons |= flag(silent_, kInputSilent);
+  reasons |= flag(!lateral_.closes(), kClosureViolated);
+  reasons |= flag(known && (outside_tread_ || foot_assumed_), kStepUncertain);
+  const bool conflict = switch_conflict_ || steps_.evidence_conflicts() ||
+                        reports_[Source::kBumperLeft].outcome == Outcome::kGated ||
+                        reports_[Source::kBumperRight].outcome == Outcome::kGated;
+  reasons |= flag(conflict, kContactConflict);
+  estimate_.reasons = reasons;
+  estimate_.integrity = integrity_of(reasons, known);
+}
+
+void PaperEstimator::count_resets(const stetro_site::Pose & before)
+{
+  const std::uint32_t resets = resets_at_start_ + told_ + lateral_.restarts() + heading_.restarts();
+  if (resets == estimate_.reset_counter || std::isnan(estimate_.pose.y_m)) {
+    return;
+  }
+  estimate_.reset_counter = resets;
+  const auto delta = [](double to, double from) { return std::isnan(from) ? kUnknown : to - from; };
+  const stetro_site::Pose & after = estimate_.pose;
+  estimate_.reset_delta = {
+    delta(after.x_m, before.x_m), delta(after.y_m, before.y_m), delta(after.z_m, before.z_m),
+    delta(after.yaw_rad, before.yaw_rad)};
+}
+
+std::array<Bias, 4> PaperEstimator::biases() const
+{
+  return {
+    {{"side_left", lateral_.offset(Side::kLeft).offset},
+     {"side_right", lateral_.offset(Side::kRight).offset},
+     {"front_pair", heading_.difference_offset().offset},
+     {"gyro", heading_.gyro_bias()}}};
+}
+
+}  // namespace stetro_localizer

@@ -1,0 +1,112 @@
+// Copyright 2026 The sTetro Authors
+//
+// Licensed under the Apache License, Version 2.0 (the "License");
+// you may not use this file except in compliance with the License.
+// You may obtain a copy of the License at
+//
+//     http://www.apache.org/licenses/LICENSE-2.0
+//
+// Unless required by applicable law or agreed to in writing, software
+// distributed under the License is distributed on an "AS IS" BASIS,
+// WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+// See the License for the specific language governing permissions and
+// limitations under the License.
+
+// How the estimator begins, is told where it is, and what it leaves for the next time.
+
+#include <algorithm>
+#include <cmath>
+
+#include "stetro_localizer/paper_estimator.hpp"
+
+namespace stetro_localizer
+{
+namespace
+{
+
+double squared(double value) { return value * value; }
+
+}  // namespace
+
+void PaperEstimator::begin(const StateReading & stored)
+{
+  switch (stored.kind) {
+    case StateReading::Kind::kMissing:
+      if (params_.initial_step == 0) {
+        steps_.assume_foot();
+        foot_assumed_ = true;
+      } else if (params_.initial_step > 0) {
+        steps_.tell(static_cast<int>(params_.initial_step));
+      }
+      return;
+    case StateReading::Kind::kDamaged:
+      step_reasons_ = kNotInitialised | kCalibrationDamaged;
+      return;
+    case StateReading::Kind::kFound:
+      break;
+  }
+  const Calibration & calibration = stored.state.calibration;
+  heading_.set_calibration(calibration.front_difference, calibration.gyro_bias);
+  lateral_.set_offset(Side::kLeft, calibration.left);
+  lateral_.set_offset(Side::kRight, calibration.right);
+  resets_at_start_ = stored.state.reset_counter + 1;
+  const auto & step = stored.state.step;
+  if (step && stored.state.flight_id == flight_.id() && step->step <= flight_.steps()) {
+    steps_.restore(*step);
+    heading_.assume_aligned(params_.heading.restart_sigma_rad);
+  }
+}
+
+std::optional<std::string> PaperEstimator::tell_pose(
+  const stetro_site::Pose & pose, const stetro_site::Covariance & covariance)
+{
+  if (!std::isfinite(pose.x_m + pose.y_m + pose.z_m + pose.yaw_rad)) {
+    return "a number of the pose is not finite";
+  }
+  const int step = flight_.step_at(pose.x_m);
+  const double half_riser_m = flight_.riser_m(std::max(step, 1)) / 2.0;
+  if (std::abs(pose.z_m - flight_.tread_z_m(step)) > half_riser_m) {
+    return "its height is not that of step " + std::to_string(step) + ", which is under its x";
+  }
+  const double width_m = flight_.width_m(std::clamp(pose.x_m, 0.0, flight_.total_run_m()));
+  if (pose.y_m < 0.0 || pose.y_m > width_m) {
+    return "its y is not between the walls";
+  }
+  if (std::abs(pose.yaw_rad) > params_.heading.max_incidence_rad) {
+    return "its heading does not face the stairs";
+  }
+  const auto variance = [&covariance](int i, double least_sigma) {
+    const double given = covariance(i, i);
+    return std::isfinite(given) ? std::max(given, squared(least_sigma)) : squared(0.1);
+  };
+  steps_.tell(step);
+  foot_assumed_ = false;
+  floor_x_m_ = pose.x_m;
+  floor_travel_m_ = travel_x_m_;
+  lateral_.reset(pose.y_m, variance(1, 0.01));
+  heading_.reset(pose.yaw_rad, variance(5, 0.01));
+  closure_.clear();
+  ++told_;
+  ++step_changes_;
+  refresh(estimate_.stamp);
+  return std::nullopt;
+}
+
+StoredState PaperEstimator::state_to_store() const
+{
+  StoredState state;
+  state.flight_id = flight_.id();
+  state.step = steps_.state_to_store();
+  state.calibration = {
+    lateral_.offset(Side::kLeft), lateral_.offset(Side::kRight), heading_.difference_offset(),
+    heading_.gyro_bias()};
+  state.reset_counter = estimate_.reset_counter;
+  return state;
+}
+
+std::uint64_t PaperEstimator::state_version() const
+{
+  return step_changes_ + lateral_.calibrations() + heading_.calibrations();
+}
+
+}  // namespace stetro_localizer
