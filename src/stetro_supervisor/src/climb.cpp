@@ -124,14 +124,14 @@ void Climb::take_ranges(double dt_s)
       memory_.medians[i].take(*seen_.ranges[i]);
     }
   }
-  const auto & left = seen_.range(Place::kFrontLeft);
-  const bool fresh = left && left->time > last_front_time_;
-  const auto pair = situation().front_pair_m();
+  const auto & middle = seen_.range(Place::kStairFront);
+  const bool fresh = middle && middle->time > last_front_time_;
+  const auto front_m = situation().front_middle_m();
   const bool on_tread = phase_of(state_) == Phase::kSweeping && situation().riser_ahead();
-  if (fresh && pair && on_tread && !memory_.offset_pending) {
-    memory_.offset.see(*pair, dt_s);
+  if (fresh && front_m && on_tread && !memory_.offset_pending) {
+    memory_.offset.see(*front_m, dt_s);
   }
-  last_front_time_ = left ? left->time : last_front_time_;
+  last_front_time_ = middle ? middle->time : last_front_time_;
 }
 
 void Climb::watch_driver(const Situation & s)

@@ -56,7 +56,7 @@ void check_threshold(
 {
   if (!(gap_m + recess_m >= minimum_m)) {
     faults << name << ": " << gap_m << " m with a recess of " << recess_m
-           << " m, accepted: together at least contact.sensor_minimum_m (" << minimum_m << ")\n";
+           << " m, accepted: together at least range_sensor.min_range_m (" << minimum_m << ")\n";
   }
 }
 
@@ -82,10 +82,11 @@ ClimbGeometry make_geometry(
   geometry.widening_m = flight.spec().width_top_m - flight.spec().width_foot_m;
   geometry.contact_width_m = robot.contact_width_m;
   geometry.stroke_m = robot.stroke_m;
-  geometry.front_recess_m = robot.contact_reading_m(Place::kStairFront);
-  geometry.block3_recess_m = robot.contact_reading_m(Place::kBlock3Front);
-  geometry.down_recess_m = robot.contact_reading_m(Place::kBlock2Down);
-  geometry.side_contact_m = robot.contact_reading_m(Place::kSideLeft);
+  for (const Place place : stetro_site::kPlaces) {
+    geometry.contact_reading_m[stetro_site::index_of(place)] =
+      robot.contact_reading_m(place) + robot.at(place).bias_m;
+  }
+  geometry.sensor_minimum_m = robot.range_sensor.min_range_m;
   geometry.switch_separation_m = 2.0 * robot.switch_y_m;
   return geometry;
 }
@@ -95,10 +96,21 @@ void check_climbable(const ClimbGeometry & g, const ClimbParams & p)
   std::ostringstream faults;
   check_flight(g, faults);
   check_width(g, p, faults);
-  const double minimum = p.sensor_minimum_m;
-  check_threshold("contact.approach_gap_m", p.approach_gap_m, g.front_recess_m, minimum, faults);
-  check_threshold("contact.block3_gap_m", p.block3_gap_m, g.block3_recess_m, minimum, faults);
-  check_threshold("contact.touch_down_gap_m", p.touch_down_gap_m, g.down_recess_m, minimum, faults);
+  const double minimum = g.sensor_minimum_m;
+  using stetro_site::Place;
+  check_threshold(
+    "contact.approach_gap_m", p.approach_gap_m, g.contact_reading(Place::kStairFront), minimum,
+    faults);
+  check_threshold(
+    "contact.block3_gap_m", p.block3_gap_m, g.contact_reading(Place::kBlock3Front), minimum,
+    faults);
+  check_threshold(
+    "contact.touch_down_gap_m", p.touch_down_gap_m, g.contact_reading(Place::kBlock2Down), minimum,
+    faults);
+  if (!(p.creep_speed_mps < p.roll_speed_mps && p.creep_speed_mps < p.sweep_speed_mps)) {
+    faults << "speeds.creep_m_s: " << p.creep_speed_mps << " m/s, accepted: less than rolling ("
+           << p.roll_speed_mps << ") and sweeping (" << p.sweep_speed_mps << ")\n";
+  }
   if (!faults.str().empty()) {
     throw std::invalid_argument(faults.str());
   }

@@ -31,8 +31,6 @@ void check(const ClimbParams & p, stetro_config::Faults & faults)
           "less than " + other + " (" + stetro_config::to_text(limit) + ")");
       }
     };
-  ordered("speed.creep_mps", p.creep_speed_mps, p.roll_speed_mps, "speed.roll_mps");
-  ordered("speed.creep_mps", p.creep_speed_mps, p.sweep_speed_mps, "speed.sweep_mps");
   ordered("heading.hysteresis_rad", p.hysteresis_rad, p.dead_band_rad, "heading.dead_band_rad");
   ordered(
     "heading.dead_band_rad", p.dead_band_rad, p.alignment_limit_rad, "heading.alignment_limit_rad");

@@ -33,22 +33,6 @@ bool any_closed(const std::array<Contact, 3> & bumpers)
   return std::any_of(bumpers.begin(), bumpers.end(), closed);
 }
 
-double recess_m(Place place, const ClimbGeometry & geometry)
-{
-  switch (place) {
-    case Place::kSideLeft:
-    case Place::kSideRight:
-      return geometry.side_contact_m;
-    case Place::kBlock1Down:
-    case Place::kBlock2Down:
-      return geometry.down_recess_m;
-    case Place::kBlock3Front:
-      return geometry.block3_recess_m;
-    default:
-      return geometry.front_recess_m;
-  }
-}
-
 template <class Sample>
 bool older_than(const std::optional<Sample> & sample, Time now, double limit_s)
 {
@@ -115,7 +99,7 @@ std::optional<double> Situation::range_m(Place place) const
 std::optional<double> Situation::gap_m(Place place) const
 {
   const auto range = range_m(place);
-  return range ? std::optional<double>(*range - recess_m(place, geometry)) : std::nullopt;
+  return range ? std::optional<double>(*range - geometry.contact_reading(place)) : std::nullopt;
 }
 
 std::optional<double> Situation::front_gap_m() const
@@ -138,6 +122,15 @@ std::optional<double> Situation::front_pair_m() const
     return std::nullopt;
   }
   return (*left + *right) / 2.0 * std::cos(heading_rad());
+}
+
+std::optional<double> Situation::front_middle_m() const
+{
+  const auto middle = range_m(Place::kStairFront);
+  if (!middle || !std::isfinite(*middle)) {
+    return std::nullopt;
+  }
+  return *middle * std::cos(heading_rad());
 }
 
 bool Situation::stalled() const

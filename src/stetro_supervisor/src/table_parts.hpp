@@ -59,12 +59,16 @@ inline MotionCommand roll_towards(const Situation & s, double gap_m)
   return roll(gap_m > kCreepZone_m ? s.params.roll_speed_mps : s.params.creep_speed_mps);
 }
 
-/// A lowered block has met its tread: the range says so and the load or the rest confirms (D3-7).
+/// A lowered block has met its tread (D3-2, D3-3, D3-7).
+/**
+ * The range below it says so and the load confirms; or the block, though told to go on, has been
+ * at rest close above the tread for long: that holds with a biased range or a dead load cell.
+ */
 inline bool touched_down(const Situation & s, int block, Place below)
 {
   const auto gap = s.gap_m(below);
-  const bool near = gap && (*gap <= s.params.touch_down_gap_m || s.stalled());
-  return near && s.stands(block);
+  const bool confirmed = gap && *gap <= s.params.touch_down_gap_m && s.stands(block);
+  return confirmed || (gap && s.stalled() && !s.block(block).moving);
 }
 
 }  // namespace stetro_supervisor

@@ -79,8 +79,35 @@ TEST(ClimbParams, RefusesAHysteresisWiderThanTheDeadBand)
 TEST(ClimbGeometry, RefusesAThresholdBelowTheSensorsMinimum)  // D2, D3-7
 {
   ClimbGeometry geometry = stairs(3);
-  geometry.down_recess_m = 0.005;  // 0.5 cm + 1 cm < 3 cm
+  geometry.contact_reading_m[stetro_site::index_of(Place::kBlock2Down)] =
+    0.005;  // 0.5 cm + 1 cm < 3 cm
   EXPECT_NE(what_is_wrong(geometry).find("touch_down_gap_m"), std::string::npos);
+}
+
+TEST(ClimbGeometry, TakesFlightAndBodyFromTheirFiles)
+{
+  stetro_site::FlightSpec spec;
+  spec.id = "stairs";
+  spec.steps = stetro_site::equal_steps(16, 0.14, 0.32);
+  spec.width_foot_m = 2.05;
+  spec.width_top_m = 2.03;
+  spec.lower_floor = "ground";
+  spec.upper_floor = "landing";
+  stetro_site::RobotGeometry robot;
+  robot.at(Place::kBlock3Front).bias_m = 0.004;
+  const auto geometry = make_geometry(stetro_site::Flight{spec}, robot);
+  EXPECT_EQ(geometry.steps(), 16);
+  EXPECT_NEAR(geometry.width_at_m(8), 2.05 - 0.02 * 7.5 / 16, 1e-12);
+  EXPECT_NEAR(geometry.contact_reading(Place::kSideLeft), 0.065, 1e-12);
+  EXPECT_NEAR(geometry.contact_reading(Place::kBlock3Front), 0.039, 1e-12);
+  EXPECT_NEAR(geometry.switch_separation_m, 0.16, 1e-12);
+}
+
+TEST(ClimbGeometry, RefusesACreepThatIsNoSlowerThanRolling)
+{
+  ClimbParams params;
+  params.creep_speed_mps = params.roll_speed_mps;
+  EXPECT_NE(what_is_wrong(stairs(3), params).find("creep"), std::string::npos);
 }
 
 TEST(ClimbGeometry, RefusesARiserHigherThanTheLift)

@@ -15,11 +15,13 @@
 #ifndef STETRO_SUPERVISOR__CLIMB_GEOMETRY_HPP_
 #define STETRO_SUPERVISOR__CLIMB_GEOMETRY_HPP_
 
+#include <array>
 #include <string>
 #include <vector>
 
 #include "stetro_site/flight.hpp"
 #include "stetro_site/robot_geometry.hpp"
+#include "stetro_site/sensor_place.hpp"
 
 namespace stetro_supervisor
 {
@@ -39,13 +41,18 @@ struct ClimbGeometry
   double width_m = 0.0;         ///< between the walls at the foot [m]
   double widening_m = 0.0;      ///< how much wider the flight is at its top [m]
 
-  double contact_width_m = 0.23;      ///< bumper to bumper (D1-1) [m]
-  double stroke_m = 0.18;             ///< lift of a block [m]
-  double front_recess_m = 0.035;      ///< front sensors behind block 1's face [m]
-  double block3_recess_m = 0.035;     ///< block3_front behind block 3's face [m]
-  double down_recess_m = 0.035;       ///< down sensors above their block's underside [m]
-  double side_contact_m = 0.065;      ///< side reading when the bumpers touch that wall [m]
+  double contact_width_m = 0.23;  ///< bumper to bumper (D1-1) [m]
+  double stroke_m = 0.18;         ///< lift of a block [m]
+  /// What each sensor reads, bias included, when its block touches what it looks at [m].
+  std::array<double, stetro_site::kPlaces.size()> contact_reading_m{0.035, 0.035, 0.035, 0.065,
+                                                                    0.065, 0.035, 0.035, 0.035};
   double switch_separation_m = 0.16;  ///< between the riser switches [m]
+  double sensor_minimum_m = 0.03;     ///< shortest range the sensors resolve [m]
+
+  double contact_reading(stetro_site::Place place) const
+  {
+    return contact_reading_m[stetro_site::index_of(place)];
+  }
 
   int steps() const { return static_cast<int>(riser_m.size()); }
 
@@ -65,7 +72,7 @@ ClimbGeometry make_geometry(
 
 /// \throws std::invalid_argument naming every number that cannot be climbed: no step, a riser
 ///   within 1 cm of the stroke, a width that leaves no clearance in the middle (D3-12), a threshold
-///   that the recessed sensor cannot resolve (D2)
+///   that the recessed sensor cannot resolve (D2), a creep that is no slower than other speeds
 void check_climbable(const ClimbGeometry & geometry, const ClimbParams & params);
 
 }  // namespace stetro_supervisor

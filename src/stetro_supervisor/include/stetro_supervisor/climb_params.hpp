@@ -30,7 +30,7 @@ constexpr double kRadPerDeg = 0.017453292519943295;
 /// S-P mixes mm, cm and bare numbers (D3-6); here every name carries its SI unit.
 struct ClimbParams
 {
-  // speeds
+  // speeds, from the robot file
   double sweep_speed_mps = 0.15;
   double roll_speed_mps = 0.05;
   double creep_speed_mps = 0.02;
@@ -53,7 +53,6 @@ struct ClimbParams
   double contact_gap_limit_m = 0.15;
   double sweep_margin_m = 0.10;
   // contact of a block
-  double sensor_minimum_m = 0.03;
   double approach_gap_m = 0.010;
   double block3_gap_m = 0.005;
   double touch_down_gap_m = 0.010;
@@ -99,14 +98,9 @@ void visit(ClimbParams & p, Visitor && each)
 {
   using stetro_config::OneOf;
   using stetro_config::Within;
-  const Within speed{0.005, 0.5};
   const Within limit_s{1.0, 600.0};
-  each("speed.sweep_mps", p.sweep_speed_mps, speed, "along a tread, away from the walls [m/s]");
-  each("speed.roll_mps", p.roll_speed_mps, speed, "along the stairs [m/s]");
-  each("speed.creep_mps", p.creep_speed_mps, speed, "just before a contact [m/s]");
-  each("speed.yaw_rps", p.yaw_rate_rps, Within{0.01, 1.0}, "turning and correcting [rad/s]");
   each(
-    "speed.slow_zone_m", p.slow_zone_m, Within{0.0, 0.5},
+    "slow_zone_m", p.slow_zone_m, Within{0.0, 0.5},
     "distance from a wall or riser over which speed falls to creep [m]");
   each(
     "heading.dead_band_rad", p.dead_band_rad, Within{0.005, 0.35},
@@ -145,9 +139,6 @@ void visit(ClimbParams & p, Visitor && each)
   each(
     "sweep.margin_m", p.sweep_margin_m, Within{0.01, 1.0},
     "distance beyond the width without a contact that is a fault [m]");
-  each(
-    "contact.sensor_minimum_m", p.sensor_minimum_m, Within{0.0, 0.2},
-    "shortest range the sensors resolve [m]");
   each(
     "contact.approach_gap_m", p.approach_gap_m, Within{0.0, 0.1},
     "block 1's gap to the riser at which it is lifted [m]");

@@ -57,6 +57,7 @@ struct Range
   Time time{0};           ///< when it was received
   double range_m = kNan;  ///< along the beam from the sensor [m]; only with kValid
   RangeStatus status = RangeStatus::kUnknown;
+  Time measured{0};  ///< by the sensor's stamp: a reading repeated is not a new one
 };
 
 enum class ContactState : std::uint8_t { kUnknown, kOpen, kClosed };

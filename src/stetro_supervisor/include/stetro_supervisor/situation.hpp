@@ -112,7 +112,11 @@ struct Situation
   std::optional<double> gap_m(Place place) const;    ///< range less the recess of its sensor
   std::optional<double> front_gap_m() const;         ///< smallest of the three at block 1's face
   std::optional<double> front_pair_m() const;        ///< mean of the pair along x, both in reach
-  bool stalled() const;                              ///< the gap has stopped shrinking
+
+  /// The middle front sensor's range along x [m], when something is in reach.
+  /** At a wall the outer two have the wall in their cone and read short; this one never has. */
+  std::optional<double> front_middle_m() const;
+  bool stalled() const;  ///< the gap has stopped shrinking
 
   // switches
   bool left_contact() const;  ///< any of the three left bumpers (D3-13)

@@ -22,10 +22,10 @@ namespace stetro_supervisor
 /// How far the robot is beyond its sweep line, towards the riser.
 /**
  * The sweep line is where the robot stood when it had backed off the riser. From there odometry
- * adds up; where the front pair sees the riser after next, its range, against the range seen on
- * the line, pulls the sum back (a first-order blend). So the depth of the next tread, which is not
- * exactly the site's, does not matter. On treads N-1 and N the front pair sees nothing and
- * odometry stands alone.
+ * adds up; where the middle front sensor sees the riser after next, its range, against the range
+ * seen on the line, pulls the sum back (a first-order blend). So the depth of the next tread, which
+ * is not exactly the site's, does not matter. On treads N-1 and N it sees nothing and odometry
+ * stands alone. (The outer front sensors are no use for this: at a wall they see the wall.)
  */
 class TreadOffset
 {
@@ -36,7 +36,7 @@ public:
   /// Adds a roll along x [m].
   void roll(double along_m) { offset_m_ += along_m; }
 
-  /// Blends in the mean range of the front pair along x [m], measured `dt_s` after the last.
+  /// Blends in the middle front range along x [m], measured `dt_s` after the last.
   void see(double front_m, double dt_s);
 
   double value_m() const { return offset_m_; }

@@ -1,0 +1,70 @@
+// Copyright 2026 The sTetro Authors
+//
+// Licensed under the Apache License, Version 2.0 (the "License");
+// you may not use this file except in compliance with the License.
+// You may obtain a copy of the License at
+//
+//     http://www.apache.org/licenses/LICENSE-2.0
+//
+// Unless required by applicable law or agreed to in writing, software
+// distributed under the License is distributed on an "AS IS" BASIS,
+// WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+// See the License for the specific language governing permissions and
+// limitations under the License.
+#ifndef STETRO_SUPERVISOR__SUPERVISOR_PARAMS_HPP_
+#define STETRO_SUPERVISOR__SUPERVISOR_PARAMS_HPP_
+
+#include <string>
+
+#include "stetro_supervisor/climb_params.hpp"
+
+namespace stetro_supervisor
+{
+
+/// Everything the supervisor lets a person set. The speeds stand in the robot file.
+struct SupervisorParams
+{
+  std::string site_file;
+  std::string robot_file;
+  std::string flight;         ///< id; empty: the only one of the site
+  std::string state_file;     ///< keeps the mission across a restart; empty: nowhere
+  double rate_hz = 20.0;      ///< ticks and commands
+  double valid_for_s = 0.15;  ///< life of a command
+  double future_tolerance_s = 0.02;
+  std::string fleet = "stetro";
+  ClimbParams climb;
+};
+
+template <class Visitor>
+void visit(SupervisorParams & p, Visitor && each)
+{
+  using stetro_config::Any;
+  using stetro_config::NonEmpty;
+  using stetro_config::Within;
+  each("site_file", p.site_file, NonEmpty{}, "flights and floors of the building");
+  each("robot_file", p.robot_file, NonEmpty{}, "body, sensors and speeds");
+  each("flight", p.flight, Any{}, "id of the flight to clean; empty: the only one of the site");
+  each("state_file", p.state_file, Any{}, "keeps the mission; empty: nothing is kept");
+  each("rate_hz", p.rate_hz, Within{5.0, 100.0}, "ticks and commands [Hz]");
+  each("valid_for_s", p.valid_for_s, Within{0.02, 0.2}, "life of a command [s]");
+  each(
+    "future_tolerance_s", p.future_tolerance_s, Within{0.0, 1.0},
+    "how far ahead of the clock a stamp may be [s]");
+  each("fleet", p.fleet, NonEmpty{}, "name of the fleet in /fleet_states");
+  visit(p.climb, each);
+}
+
+/// Refuses parameters that contradict each other.
+inline void check(const SupervisorParams & p, stetro_config::Faults & faults)
+{
+  if (!(p.valid_for_s * p.rate_hz > 1.0)) {
+    faults.refuse(
+      "valid_for_s", std::to_string(p.valid_for_s),
+      "more than one period, " + std::to_string(1.0 / p.rate_hz) + " s");
+  }
+  check(p.climb, faults);
+}
+
+}  // namespace stetro_supervisor
+
+#endif  // STETRO_SUPERVISOR__SUPERVISOR_PARAMS_HPP_

@@ -1,0 +1,307 @@
+// Copyright 2026 The sTetro Authors
+//
+// Licensed under the Apache License, Version 2.0 (the "License");
+// you may not use this file except in compliance with the License.
+// You may obtain a copy of the License at
+//
+//     http://www.apache.org/licenses/LICENSE-2.0
+//
+// Unless required by applicable law or agreed to in writing, software
+// distributed under the License is distributed on an "AS IS" BASIS,
+// WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+// See the License for the specific language governing permissions and
+// limitations under the License.
+#include "stetro_supervisor/supervisor_node.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "stetro_config/fault.hpp"
+#include "stetro_site/site.hpp"
+#include "supervisor_parts.hpp"
+
+namespace stetro_supervisor
+{
+namespace
+{
+
+namespace qos = stetro_dds::qos;
+using stetro_dds::Guid;
+using stetro_dds::LifecycleTransition;
+using stetro_dds::Reception;
+
+constexpr std::chrono::milliseconds kStatusPeriod{500};
+constexpr std::chrono::seconds kFleetPeriod{1};
+
+Time nanoseconds(double seconds) { return Time{std::llround(seconds * 1e9)}; }
+
+std::uint64_t drawn_instance()
+{
+  std::random_device random;
+  const std::uint64_t drawn = (static_cast<std::uint64_t>(random()) << 32) | random();
+  return drawn != 0 ? drawn : 1;
+}
+
+/// The speeds stand in the robot file, for every component.
+ClimbParams with_speeds(ClimbParams params, const stetro_site::Speeds & speeds)
+{
+  params.sweep_speed_mps = speeds.sweep_m_s;
+  params.roll_speed_mps = speeds.roll_m_s;
+  params.creep_speed_mps = speeds.creep_m_s;
+  params.yaw_rate_rps = speeds.yaw_correction_rad_s;
+  return params;
+}
+
+stetro_site::Flight chosen_flight(
+  const std::string & id, const std::optional<stetro_site::Site> & site,
+  stetro_config::Faults & faults)
+{
+  if (site) {
+    if (id.empty() && site->flights().size() == 1) {
+      return site->flights().front();
+    }
+    if (const auto * flight = site->find_flight(id)) {
+      return *flight;
+    }
+    std::string known;
+    for (const auto & flight : site->flights()) {
+      known += (known.empty() ? "" : ", ") + flight.id();
+    }
+    faults.refuse("flight", id, "the id of a flight of the site: " + known);
+  }
+  faults.throw_if_any();
+  throw std::logic_error("no flight and no fault");
+}
+
+bool same_participant(const Guid & a, const Guid & b)
+{
+  return std::equal(a.begin(), a.begin() + 12, b.begin());
+}
+
+}  // namespace
+
+SupervisorNode::Parts::Parts(
+  stetro_dds::Context & context, const stetro_dds::NodeOptions & options,
+  const SupervisorParams & params, const stetro_site::Flight & flight,
+  const stetro_site::Robot & robot)
+: params_(params),
+  flight_(flight),
+  robot_name_(robot.name),
+  node_(context, options),
+  climb_(with_speeds(params.climb, robot.speeds), make_geometry(flight, robot.geometry)),
+  mission_(climb_),
+  store_(params.state_file),
+  pose_stamps_(nanoseconds(params.future_tolerance_s)),
+  issuer_{node_.name().full(), drawn_instance(), nanoseconds(params.valid_for_s)},
+  command_(node_.advertise<stetro_msgs::msg::Command>("command", qos::kCommand)),
+  status_(node_.advertise<stetro_msgs::msg::MissionStatus>("mission_status", qos::kLatched)),
+  fleet_(node_.advertise<rmf_fleet_msgs::msg::FleetState>("/fleet_states", qos::kFleetState))
+{
+  open_inputs();
+  if (const auto record = store_.load(climb_.geometry())) {
+    climb_.restore(*record);
+    node_.log().warn("a mission was under way at step {}: held until resumed", record->step);
+  }
+  if (!store_.trouble().empty()) {
+    node_.log().error("{}", store_.trouble());
+  }
+  node_.create_timer(nanoseconds(1.0 / params.rate_hz), [this](Time now) { tick(now); });
+  node_.create_timer(kFleetPeriod, [this](Time now) { publish_fleet(now); });
+  node_.diagnostics().add("mission", [this](stetro_dds::DiagnosticReport & r) { report(r); });
+  node_.lifecycle().request(LifecycleTransition::kConfigure);
+  node_.lifecycle().request(LifecycleTransition::kActivate);
+}
+
+template <class Message>
+void SupervisorNode::Parts::listen(
+  const std::string & topic, const stetro_dds::QosProfile & profile)
+{
+  guards_.push_back(std::make_unique<StampGuard>(nanoseconds(params_.future_tolerance_s)));
+  StampGuard & guard = *guards_.back();
+  node_.subscribe<Message>(
+    topic, profile,
+    [this, &guard](const Message & message, const Reception & reception) -> std::optional<Refusal> {
+      const Time now = node_.clock().now();
+      if (auto refusal = guard.judge(to_time(message.header().stamp()), now, reception.writer)) {
+        return refusal;
+      }
+      notice_writer(reception.writer);
+      return take(message, now, seen_);
+    });
+}
+
+void SupervisorNode::Parts::open_inputs()
+{
+  listen<stetro_msgs::msg::RangeArray>("ranges", qos::kSensor);
+  listen<stetro_msgs::msg::Contacts>("contacts", qos::kContacts);
+  listen<stetro_msgs::msg::BlockStates>("blocks", qos::kSensor);
+  listen<nav_msgs::msg::Odometry>("odom", qos::kSensor);
+  node_.subscribe<stetro_msgs::msg::StairPose>(
+    "stair_pose", qos::kLatched,
+    [this](const stetro_msgs::msg::StairPose & message, const Reception & reception) {
+      return take_pose(message, reception);
+    });
+  node_.subscribe<stetro_msgs::msg::CommandStatus>(
+    "command_status", qos::kCommandStatus,
+    [this](const stetro_msgs::msg::CommandStatus & message) { return take_status(message); });
+  node_.subscribe<stetro_msgs::msg::MissionRequest>(
+    "mission", qos::kMission,
+    [this](const stetro_msgs::msg::MissionRequest & message) { return take_request(message); });
+}
+
+/// Another process writes the driver's streams: whatever it was asked to do is forgotten.
+void SupervisorNode::Parts::notice_writer(const Guid & writer)
+{
+  if (driver_writer_ && !same_participant(*driver_writer_, writer)) {
+    ++driver_epoch_;
+    driver_told_ = 0;
+  }
+  driver_writer_ = writer;
+  seen_.driver_instance = driver_epoch_;
+}
+
+std::optional<Refusal> SupervisorNode::Parts::take_pose(
+  const stetro_msgs::msg::StairPose & message, const Reception & reception)
+{
+  const Time now = node_.clock().now();
+  if (auto refusal = pose_stamps_.judge(to_time(message.header().stamp()), now, reception.writer)) {
+    return refusal;
+  }
+  const bool here = message.segment_id() == flight_.id().c_str();
+  if (here && message.step_count() != flight_.steps()) {
+    return Refusal{
+      "wrong_step_count", std::to_string(message.step_count()) + ", accepted: " +
+                            std::to_string(flight_.steps()) + " as in the site file"};
+  }
+  // A latched pose of a localizer that has gone is as old as its stamp says, not as its arrival.
+  const Time measured = std::min(now, to_time(message.header().stamp()));
+  if (auto refusal = take(message, measured, seen_)) {
+    return refusal;
+  }
+  const auto & position = message.pose().pose().position();
+  if (here && std::isfinite(position.x()) && std::isfinite(position.z())) {
+    pose_ = stetro_site::Pose{position.x(), position.y(), position.z(), seen_.pose->heading_rad};
+  }
+  return std::nullopt;
+}
+
+std::optional<Refusal> SupervisorNode::Parts::take_status(
+  const stetro_msgs::msg::CommandStatus & message)
+{
+  if (driver_told_ != 0 && message.driver_instance() != driver_told_) {
+    ++driver_epoch_;
+    seen_.driver_instance = driver_epoch_;
+  }
+  driver_told_ = message.driver_instance();
+  const bool ours =
+    message.issuer() == issuer_.name.c_str() && message.issuer_instance() == issuer_.instance;
+  return ours ? take(message, node_.clock().now(), seen_) : std::nullopt;
+}
+
+std::optional<Refusal> SupervisorNode::Parts::take_request(
+  const stetro_msgs::msg::MissionRequest & message)
+{
+  answer_ = mission_.request(from_message(message));
+  node_.log().info(
+    "request '{}' of '{}': {}", answer_->request_id, answer_->issuer,
+    answer_->accepted ? "accepted" : "refused: " + answer_->reason);
+  publish_status(node_.clock().now());
+  return std::nullopt;
+}
+
+void SupervisorNode::Parts::tick(Time now)
+{
+  command(climb_.tick(now, seen_), now);
+  store_.keep(climb_);
+  const auto & transition = climb_.transition();
+  if (transition) {
+    const auto level = transition->to == State::kFault ? spdlog::level::err : spdlog::level::info;
+    node_.log().log(
+      level, "step {}: {} -> {}: {}", climb_.record().step, to_string(transition->from),
+      to_string(transition->to), transition->why);
+  }
+  if (transition || now >= status_due_ || status_due_ > now + kStatusPeriod) {
+    publish_status(now);
+  }
+}
+
+void SupervisorNode::Parts::command(const MotionCommand & command, Time now)
+{
+  if (command.kind != MotionCommand::Kind::kNone) {
+    command_.publish(to_message(command, issuer_, ++sequence_, now));
+  }
+}
+
+void SupervisorNode::Parts::publish_status(Time now)
+{
+  if (now > Time{0}) {
+    status_.publish(to_message(mission_.status(), answer_, now));
+    status_due_ = now + kStatusPeriod;
+  }
+}
+
+void SupervisorNode::Parts::publish_fleet(Time now)
+{
+  if (!pose_) {
+    return;
+  }
+  const MissionStatus status = mission_.status();
+  const bool above = status.step == flight_.steps();
+  FleetEntry entry;
+  entry.fleet = params_.fleet;
+  entry.robot = robot_name_;
+  entry.model = "stetro";
+  entry.task_id = climb_.record().request_id;
+  entry.level = above ? flight_.spec().upper_floor : flight_.spec().lower_floor;
+  entry.sequence = ++fleet_sequence_;
+  entry.pose_in_map = flight_.T_map_flight().to_map(*pose_);
+  fleet_.publish(to_message(entry, status, now));
+}
+
+void SupervisorNode::Parts::report(stetro_dds::DiagnosticReport & report) const
+{
+  using stetro_dds::Health;
+  const MissionStatus status = mission_.status();
+  report.value("state", to_string(status.state));
+  report.value("step", static_cast<std::int64_t>(status.step));
+  report.value("driver restarts", driver_epoch_ - 1);
+  if (status.mission == MissionState::kFault) {
+    report.summarise(Health::kError, std::string(to_string(status.fault)) + ": " + status.detail);
+  } else if (status.mission == MissionState::kHeld) {
+    report.summarise(Health::kWarn, "held: " + status.detail);
+  }
+  if (!store_.trouble().empty()) {
+    report.summarise(Health::kError, store_.trouble());
+  }
+}
+
+void SupervisorNode::Parts::hold()
+{
+  const Time now = node_.clock().now();
+  if (sequence_ > 0 && now > Time{0}) {
+    command(stetro_supervisor::hold(), now);
+  }
+}
+
+SupervisorNode::SupervisorNode(
+  stetro_dds::Context & context, const stetro_dds::NodeOptions & options,
+  const SupervisorParams & params)
+{
+  stetro_config::Faults faults;
+  const auto site = stetro_site::read_site(params.site_file, faults);
+  const auto robot = stetro_site::read_robot(params.robot_file, faults);
+  const auto flight = chosen_flight(params.flight, site, faults);
+  faults.throw_if_any();
+  parts_ = std::make_unique<Parts>(context, options, params, flight, *robot);
+}
+
+SupervisorNode::~SupervisorNode() { parts_->hold(); }
+
+stetro_dds::Node & SupervisorNode::node() { return parts_->node(); }
+
+MissionStatus SupervisorNode::status() const { return parts_->status(); }
+
+void SupervisorNode::hold() { parts_->hold(); }
+
+}  // namespace stetro_supervisor
