@@ -128,7 +128,7 @@ Verdict CommandGate::offer(
   remember(request);
   lease_ = Lease{
     Expiry{request.issuer, request.issuer_instance, request.sequence_number}, request.motion,
-    std::min(request.stamp, clocks.now) + request.valid_for};
+    std::min(request.stamp, clocks.now) + request.valid_for, clocks.steady};
   return verdict;
 }
 
@@ -158,18 +158,19 @@ void CommandGate::latch_emergency_stop()
 
 void CommandGate::observe(const GateClocks & clocks)
 {
+  // Time that a command spent under a clock that stood still, also when it goes on by now.
+  const bool stalled =
+    lease_ &&
+    clocks.steady - std::max(last_advance_.steady, lease_->received_steady) >= limits_.stall_limit;
   if (!clock_seen_ || clocks.now != last_advance_.now) {
     last_advance_ = clocks;
     clock_seen_ = true;
-    stalled_ = false;
-  } else if (clocks.steady - last_advance_.steady >= limits_.stall_limit) {
-    stalled_ = true;
   }
-  if (!lease_ || (clocks.now < lease_->deadline && !stalled_)) {
+  if (!lease_ || (clocks.now < lease_->deadline && !stalled)) {
     return;
   }
   ++counters_.expired;
-  counters_.stalls += stalled_ ? 1 : 0;
+  counters_.stalls += stalled ? 1 : 0;
   expired_ = std::move(lease_->holder);
   lease_.reset();
 }

@@ -26,6 +26,7 @@ namespace
 
 constexpr double kSlowest = 0.1;
 constexpr double kFastest = 1000.0;
+constexpr int kCaughtUp = 4;  // ticks
 
 Time period(Time tick, double speed)
 {
@@ -97,8 +98,9 @@ Time Pacer::patience_left(Watch & watch, Time now, Time steady)
 void Pacer::ticked(Time steady)
 {
   last_tick_ = steady;
-  // What a wait cost is not caught up: a burst of ticks would outrun the peers again.
-  due_ = std::max(due_ + period(tick_, limits_.speed), steady);
+  // A short sleep that lasted too long is caught up, a wait is not: a burst would outrun the peers.
+  const Time tick = period(tick_, limits_.speed);
+  due_ = std::max(due_ + tick, steady - kCaughtUp * tick);
 }
 
 }  // namespace stetro_driver

@@ -118,6 +118,17 @@ TEST_F(CommandGateTest, HoldsWhenTheRobotsClockStandsStill)
   EXPECT_EQ(offer(roll(2, 20), 20), Refusal::kNone);
 }
 
+TEST_F(CommandGateTest, HoldsWhenTheRobotsClockStoodStillUnwatched)
+{
+  offer(roll(1, 0), 0);
+  GateClocks clocks = at(10);
+  EXPECT_EQ(gate_.in_force(clocks).command.kind, MotionKind::kTwist);
+  clocks = at(20);
+  clocks.steady += milliseconds{200};  // nobody asked while it stood
+  EXPECT_EQ(gate_.in_force(clocks).command.kind, MotionKind::kHold);
+  EXPECT_EQ(gate_.counters().stalls, 1u);
+}
+
 TEST_F(CommandGateTest, RefusesWhatIsNotInOrder)
 {
   offer(roll(5, 0), 0);

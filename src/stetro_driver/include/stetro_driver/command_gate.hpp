@@ -177,7 +177,8 @@ private:
   {
     Expiry holder;
     JointCommand command{};
-    Time deadline{0};
+    Time deadline{0};         // on the robot's clock
+    Time received_steady{0};  // on the steady one
   };
 
   [[nodiscard]] Verdict judge_content(const CommandRequest & request) const;
@@ -194,7 +195,6 @@ private:
   std::optional<Expiry> expired_;
   std::deque<Issuer> issuers_;  ///< the last few, so that an old one cannot replay
   GateClocks last_advance_{};
-  bool stalled_ = false;
   bool clock_seen_ = false;
   bool emergency_stop_ = false;
   GateCounters counters_{};

@@ -204,15 +204,15 @@ stetro_msgs::msg::RangeArray to_ranges(const SensorFrame & frame)
 }
 
 sensor_msgs::msg::Range to_range(
-  const SensorFrame & frame, RangePlace place, const std::string & sensor_frame)
+  const SensorFrame & frame, RangePlace place, const stetro_site::RangeSensor & sensor)
 {
   const RangeReading & from = frame.range(place);
   sensor_msgs::msg::Range message;
-  message.header(header_of(from.stamp, sensor_frame));
+  message.header(header_of(from.stamp, std::string(kRangeNames[static_cast<std::size_t>(place)])));
   message.radiation_type(sensor_msgs::msg::Range_Constants::INFRARED);
-  message.field_of_view(0.436F);
-  message.min_range(0.03F);
-  message.max_range(1.2F);
+  message.field_of_view(static_cast<float>(sensor.cone_rad));
+  message.min_range(static_cast<float>(sensor.min_range_m));
+  message.max_range(static_cast<float>(sensor.reliable_range_m));
   message.range(static_cast<float>(from.range_m));
   return message;
 }

@@ -33,6 +33,7 @@
 #include "stetro_msgs/RangeArray.hpp"
 #include "stetro_msgs/StairPose.hpp"
 #include "stetro_msgs/TFMessage.hpp"
+#include "stetro_site/robot_geometry.hpp"
 
 /// \file
 /// Between the driver's core and the wire: the only place that knows both.
@@ -49,7 +50,7 @@ namespace stetro_driver
 
 [[nodiscard]] stetro_msgs::msg::RangeArray to_ranges(const SensorFrame & frame);
 [[nodiscard]] sensor_msgs::msg::Range to_range(
-  const SensorFrame & frame, RangePlace place, const std::string & sensor_frame);
+  const SensorFrame & frame, RangePlace place, const stetro_site::RangeSensor & sensor);
 [[nodiscard]] stetro_msgs::msg::Contacts to_contacts(const SensorFrame & frame);
 [[nodiscard]] stetro_msgs::msg::BlockStates to_blocks(const SensorFrame & frame);
 [[nodiscard]] sensor_msgs::msg::Imu to_imu(const GyroReading & gyro);

@@ -34,6 +34,7 @@ DriverTopics::DriverTopics(stetro_dds::Node & node, const DriverSetup & setup)
 : body_(shape_of(setup.robot)),
   flight_(setup.flight.id()),
   steps_(setup.flight.steps()),
+  range_sensor_(setup.robot.geometry.range_sensor),
   clock_(node.advertise<rosgraph_msgs::msg::Clock>("/clock", qos::kClock)),
   ranges_(node.advertise<stetro_msgs::msg::RangeArray>("ranges", qos::kSensor)),
   contacts_(node.advertise<stetro_msgs::msg::Contacts>("contacts", qos::kContacts)),
@@ -77,8 +78,7 @@ void DriverTopics::publish(const SensorFrame & frame)
   transforms_.publish(to_transforms(frame, body_));
   for (std::size_t i = 0; i < range_topics_.size(); ++i) {
     if (frame.ranges[i].status != RangeStatus::kFault) {
-      range_topics_[i]->publish(
-        to_range(frame, static_cast<RangePlace>(i), std::string(kRangeNames[i])));
+      range_topics_[i]->publish(to_range(frame, static_cast<RangePlace>(i), range_sensor_));
     }
   }
 }

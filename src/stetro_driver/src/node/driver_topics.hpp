@@ -49,6 +49,7 @@ private:
   const BodyShape body_;
   const std::string flight_;
   const int steps_;
+  const stetro_site::RangeSensor range_sensor_;
   stetro_dds::Publisher<rosgraph_msgs::msg::Clock> & clock_;
   stetro_dds::Publisher<stetro_msgs::msg::RangeArray> & ranges_;
   stetro_dds::Publisher<stetro_msgs::msg::Contacts> & contacts_;
