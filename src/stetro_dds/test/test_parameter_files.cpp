@@ -13,40 +13,17 @@
 // limitations under the License.
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
 
 #include "stetro_dds/parameter_files.hpp"
+#include "support/parameter_file.hpp"
 
 namespace stetro_dds
 {
 namespace
 {
-
-/// A file with this text, until the end of the test.
-class ParameterFile
-{
-public:
-  explicit ParameterFile(const std::string & text)
-  : path_(
-      std::filesystem::temp_directory_path() /
-      ("stetro_parameters_" + std::to_string(::getpid()) + ".yaml"))
-  {
-    std::ofstream(path_) << text;
-  }
-  ~ParameterFile() { std::filesystem::remove(path_); }
-  ParameterFile(const ParameterFile &) = delete;
-  ParameterFile & operator=(const ParameterFile &) = delete;
-
-  [[nodiscard]] std::string path() const { return path_.string(); }
-
-private:
-  std::filesystem::path path_;
-};
 
 /// The values of `x` that reach the node, in order.
 std::vector<int> reaching(

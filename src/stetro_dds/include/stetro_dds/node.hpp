@@ -119,7 +119,12 @@ public:
   [[nodiscard]] std::string resolve(std::string_view topic) const;
 
   /// Waits until each of the topics (all of the node's own, if none is named) has a peer.
-  /** \return whether it came to that in time */
+  /**
+   * Both ends find each other by themselves: the peer may need some milliseconds more until a
+   * volatile message of its own reaches this node.
+   *
+   * \return whether it came to that in time
+   */
   bool wait_matched(
     const std::vector<std::string> & topics, std::chrono::nanoseconds timeout) const;
 
