@@ -95,6 +95,10 @@ Verdict Heading::add_pair(
   if (!riser || !usable(left, right)) {
     return {Outcome::kNotVisible, Refusal::kNone};
   }
+  if (left.stamp <= last_stamp_) {
+    return {Outcome::kStale, Refusal::kNone};  // the same measurement again
+  }
+  last_stamp_ = left.stamp;
   if (!in_gate(difference_m, range_m, report)) {
     if (report.reject_streak + 1 >= static_cast<std::uint32_t>(params_.reject_limit)) {
       clear_window();

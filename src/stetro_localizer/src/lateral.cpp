@@ -47,6 +47,7 @@ Lateral::Lateral(const LateralParams & params, const stetro_site::RobotGeometry 
   left_(make_beam(Side::kLeft, robot.at(Place::kSideLeft))),
   right_(make_beam(Side::kRight, robot.at(Place::kSideRight))),
   contact_(bumpers_of(params, robot)),
+  reliable_range_m_(robot.range_sensor.reliable_range_m),
   selection_(
     {robot.range_sensor.reliable_range_m,
      robot.range_sensor.reliable_range_m - params.hysteresis_m})
@@ -93,6 +94,13 @@ Verdict Lateral::add_range(
   if (!walled || !is_distance(reading)) {
     return {Outcome::kNotVisible, Refusal::kNone};
   }
+  if (reading.stamp <= beam(side).last_stamp) {
+    return {Outcome::kStale, Refusal::kNone};  // the same measurement again
+  }
+  beam(side).last_stamp = reading.stamp;
+  if (!in_reach(side, view)) {
+    return {Outcome::kNotVisible, Refusal::kNone};
+  }
   if (in_gate(side, reading.range_m, view, report)) {
     beam(side).average.add(reading.stamp, reading.range_m, carrier(side));
     return {Outcome::kFused, Refusal::kNone};
@@ -105,6 +113,24 @@ Verdict Lateral::add_range(
   return {Outcome::kGated, Refusal::kNone};
 }
 
+// Beyond its reach the sensor now and then makes a number up. That is no contradiction, as long as
+// the other side says where the robot is.
+bool Lateral::in_reach(Side side, const LateralView & view) const
+{
+  if (!known_ || searching_ || !measured_) {
+    return true;
+  }
+  const double nearest_m =
+    expected_m(side, view) - params_.gate_sigma * std::sqrt(variance_m2(view));
+  return nearest_m <= reliable_range_m_;
+}
+
+double Lateral::expected_m(Side side, const LateralView & view) const
+{
+  const Beam & of = beam(side);
+  return of.model.range_m(*y_m(), view.yaw_rad, view.width_m) + of.offset.offset.value;
+}
+
 bool Lateral::in_gate(
   Side side, double range_m, const LateralView & view, SourceReport & report) const
 {
@@ -112,9 +138,7 @@ bool Lateral::in_gate(
     return true;
   }
   const Beam & of = beam(side);
-  const double expected_m =
-    of.model.range_m(*y_m(), view.yaw_rad, view.width_m) + of.offset.offset.value;
-  report.innovation = range_m - expected_m;
+  report.innovation = range_m - expected_m(side, view);
   report.innovation_variance =
     variance_m2(view) + squared(params_.width_sigma_m) +
     mean_variance_m2(noise_, range_m, 1, of.offset.offset.variance, of.offset.calibrated_at_m);

@@ -213,7 +213,12 @@ Verdict PaperEstimator::add_ranges(const RangeSample & sample, Nanoseconds now)
 void PaperEstimator::tick(Nanoseconds now)
 {
   silent_ = watch_.any_silent(now);
-  refresh(estimate_.stamp);
+  if (watch_.is_silent(Source::kRanges, now)) {
+    lateral_.choose(now, lateral_view());  // its averages have run out: the wheels predict
+    refresh(now);
+  } else {
+    refresh(estimate_.stamp);
+  }
 }
 
 LateralView PaperEstimator::lateral_view() const

@@ -83,7 +83,7 @@ public:
   virtual Verdict add_gyro(const GyroSample & sample, Nanoseconds now) = 0;
   virtual Verdict add_odometry(const OdometrySample & sample, Nanoseconds now) = 0;
 
-  /// Lets time pass: notices inputs that have stopped.
+  /// Lets time pass: notices inputs that have stopped, and predicts while there are no ranges.
   virtual void tick(Nanoseconds now) = 0;
 
   /// Takes a pose in the flight frame that an operator tells.

@@ -110,8 +110,9 @@ private:
   CarriedAverage distance_;    // (d_left + d_right) / 2 [m], carried by the way driven
   RangeOffset offset_;
   std::optional<int> riser_;
-  bool seen_ = false;        // the heading has had a reference since it started
-  bool restarting_ = false;  // the pair contradicted the heading for too long
+  Nanoseconds last_stamp_{0};  // of the last pair taken
+  bool seen_ = false;          // the heading has had a reference since it started
+  bool restarting_ = false;    // the pair contradicted the heading for too long
   double fix_yaw_rad_ = 0.0;
   double fix_variance_;
   double fix_angle_rad_ = 0.0;       // of the gyroscope

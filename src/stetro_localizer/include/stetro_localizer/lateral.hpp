@@ -94,6 +94,7 @@ private:
     CarriedAverage average;
     RangeOffset offset;
     RangeOffset before_contact{};  // the offset when the contact began
+    Nanoseconds last_stamp{0};     // of the last reading taken
     bool closed = false;           // a bumper on this side is closed
     bool touching = false;         // and it is believed
     bool squared = false;          // front and rear are, so that the heading does not matter
@@ -106,6 +107,8 @@ private:
   [[nodiscard]] std::optional<CarriedAverage::Mean> mean(Side side, Nanoseconds now) const;
   [[nodiscard]] std::optional<SideFix> fix_of(
     Side side, Nanoseconds now, const LateralView & view) const;
+  [[nodiscard]] bool in_reach(Side side, const LateralView & view) const;
+  [[nodiscard]] double expected_m(Side side, const LateralView & view) const;
   [[nodiscard]] bool in_gate(
     Side side, double range_m, const LateralView & view, SourceReport & report) const;
   void settle(const LateralFix & fix);
@@ -117,6 +120,7 @@ private:
   Beam left_;
   Beam right_;
   BumperContact contact_;
+  double reliable_range_m_;  // beyond it a range is not reliable [m]
   SideSelection selection_;
   bool known_ = false;
   bool measured_ = false;

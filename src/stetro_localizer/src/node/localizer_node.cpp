@@ -1,0 +1,293 @@
+// Copyright 2026 The sTetro Authors
+//
+// Licensed under the Apache License, Version 2.0 (the "License");
+// you may not use this file except in compliance with the License.
+// You may obtain a copy of the License at
+//
+//     http://www.apache.org/licenses/LICENSE-2.0
+//
+// Unless required by applicable law or agreed to in writing, software
+// distributed under the License is distributed on an "AS IS" BASIS,
+// WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+// See the License for the specific language governing permissions and
+// limitations under the License.
+
+#include "stetro_localizer/localizer_node.hpp"
+
+#include <string>
+#include <utility>
+
+#include "node/localizer_parts.hpp"
+#include "stetro_config/fault.hpp"
+#include "stetro_site/fit.hpp"
+#include "stetro_site/robot.hpp"
+#include "stetro_site/site.hpp"
+
+namespace stetro_localizer
+{
+namespace
+{
+
+namespace qos = stetro_dds::qos;
+using stetro_dds::LifecycleTransition;
+using Rejection = std::optional<stetro_dds::Refusal>;
+
+constexpr std::chrono::milliseconds kTick{100};
+constexpr std::chrono::milliseconds kStallCheck{500};
+constexpr int kStalledChecks = 4;               // so many without time passing: the clock stalls
+constexpr std::chrono::seconds kOldestPose{5};  // that a person tells
+
+Nanoseconds nanoseconds(double duration_s)
+{
+  return std::chrono::duration_cast<Nanoseconds>(std::chrono::duration<double>(duration_s));
+}
+
+stetro_site::Flight chosen_flight(
+  const std::string & id, const std::optional<stetro_site::Site> & site,
+  stetro_config::Faults & faults)
+{
+  if (site) {
+    if (id.empty() && site->flights().size() == 1) {
+      return site->flights().front();
+    }
+    if (const auto * flight = site->find_flight(id)) {
+      return *flight;
+    }
+    std::string known;
+    for (const auto & flight : site->flights()) {
+      known += (known.empty() ? "" : ", ") + flight.id();
+    }
+    faults.refuse("flight", id, "the id of a flight of the site: " + known);
+  }
+  faults.throw_if_any();
+  throw std::logic_error("no flight and no fault");
+}
+
+}  // namespace
+
+LocalizerNode::Parts::Parts(
+  stetro_dds::Context & context, const stetro_dds::NodeOptions & options,
+  const LocalizerParams & params, const stetro_site::Flight & flight,
+  const stetro_site::RobotGeometry & robot)
+: params_(params),
+  flight_(flight),
+  node_(context, options),
+  estimator_(make_estimator(params, robot, flight)),
+  state_file_(params.state_file),
+  pose_(node_.advertise<geometry_msgs::msg::PoseWithCovarianceStamped>("pose", qos::kPose)),
+  stair_pose_(node_.advertise<stetro_msgs::msg::StairPose>("stair_pose", qos::kLatched)),
+  innovations_(node_.advertise<stetro_msgs::msg::Innovations>("innovations", qos::kSensor)),
+  tf_(node_.advertise<tf2_msgs::msg::TFMessage>("/tf", qos::kTf))
+{
+  read_state();
+  open_sensors();
+  open_corrections();
+  node_.create_timer(kTick, [this](Nanoseconds now) { tick(now); });
+  node_.create_steady_timer(kStallCheck, [this](Nanoseconds) { watch_clock(); });
+  add_diagnostics();
+  node_.lifecycle().request(LifecycleTransition::kConfigure);
+  node_.lifecycle().request(LifecycleTransition::kActivate);
+}
+
+void LocalizerNode::Parts::read_state()
+{
+  const StateReading stored = state_file_.read();
+  if (stored.kind == StateReading::Kind::kDamaged) {
+    state_trouble_ = "not used: " + stored.why;
+    node_.log().error("state file {}", state_trouble_);
+  } else if (stored.kind == StateReading::Kind::kFound) {
+    node_.log().info("step and calibration found in {}", state_file_.path());
+  }
+  estimator_->begin(stored);
+  stored_version_ = estimator_->state_version();
+}
+
+// The order here is the order in which one round of the executor takes the samples: what carries
+// the ranges comes before them.
+void LocalizerNode::Parts::open_sensors()
+{
+  node_.subscribe<nav_msgs::msg::Odometry>(
+    "odom", qos::kSensor, [this](const nav_msgs::msg::Odometry & message) -> Rejection {
+      OdometrySample sample;
+      stetro_site::Pose odom;
+      if (auto rejection = take(message, sample, odom)) {
+        return rejection;
+      }
+      auto rejection = refusal_of(estimator_->add_odometry(sample, node_.clock().now()));
+      odom_ = rejection ? odom_ : odom;
+      return rejection;
+    });
+  node_.subscribe<sensor_msgs::msg::Imu>(
+    "imu/data", qos::kSensor, [this](const sensor_msgs::msg::Imu & message) -> Rejection {
+      GyroSample sample;
+      auto rejection = take(message, sample);
+      return rejection ? rejection : refusal_of(estimator_->add_gyro(sample, node_.clock().now()));
+    });
+  node_.subscribe<stetro_msgs::msg::Contacts>(
+    "contacts", qos::kContacts, [this](const stetro_msgs::msg::Contacts & message) -> Rejection {
+      ContactSample sample;
+      auto rejection = take(message, sample);
+      return rejection ? rejection
+                       : refusal_of(estimator_->add_contacts(sample, node_.clock().now()));
+    });
+  node_.subscribe<stetro_msgs::msg::BlockStates>(
+    "blocks", qos::kSensor, [this](const stetro_msgs::msg::BlockStates & message) -> Rejection {
+      BlockSample sample;
+      auto rejection = take(message, sample);
+      return rejection ? rejection
+                       : refusal_of(estimator_->add_blocks(sample, node_.clock().now()));
+    });
+  node_.subscribe<stetro_msgs::msg::RangeArray>(
+    "ranges", qos::kSensor,
+    [this](const stetro_msgs::msg::RangeArray & message) { return take_ranges(message); });
+}
+
+Rejection LocalizerNode::Parts::take_ranges(const stetro_msgs::msg::RangeArray & message)
+{
+  RangeSample sample;
+  if (auto rejection = take(message, nanoseconds(params_.max_sample_age_s), sample)) {
+    return rejection;
+  }
+  if (auto rejection = refusal_of(estimator_->add_ranges(sample, node_.clock().now()))) {
+    return rejection;
+  }
+  publish();
+  store();
+  return std::nullopt;
+}
+
+void LocalizerNode::Parts::open_corrections()
+{
+  node_.subscribe<geometry_msgs::msg::PoseWithCovarianceStamped>(
+    "initialpose", qos::kCorrection,
+    [this](const geometry_msgs::msg::PoseWithCovarianceStamped & message) {
+      return take_told_pose(message);
+    });
+  node_.subscribe<stetro_msgs::msg::PoseCorrection>(
+    "pose_correction", qos::kCorrection, [](const stetro_msgs::msg::PoseCorrection &) -> Rejection {
+      return stetro_dds::Refusal{
+        "not_on_a_floor", "corrections are for floors; this estimator knows flights of stairs"};
+    });
+}
+
+Rejection LocalizerNode::Parts::take_told_pose(
+  const geometry_msgs::msg::PoseWithCovarianceStamped & message)
+{
+  StampGuard fresh({nanoseconds(params_.future_tolerance_s), kOldestPose});
+  const Refusal unfit = fresh.accept(to_time(message.header().stamp()), node_.clock().now());
+  if (unfit != Refusal::kNone) {
+    return stetro_dds::Refusal{to_string(unfit)};
+  }
+  stetro_site::Pose pose;
+  stetro_site::Covariance covariance;
+  if (auto rejection = take(message, flight_, pose, covariance)) {
+    node_.log().warn("initialpose refused: {}, {}", rejection->reason, rejection->detail);
+    return rejection;
+  }
+  if (const auto why = estimator_->tell_pose(pose, covariance)) {
+    node_.log().warn("initialpose refused: {}", *why);
+    return stetro_dds::Refusal{"implausible", *why};
+  }
+  node_.log().info("initialpose taken: x {:.3f} m, y {:.3f} m", pose.x_m, pose.y_m);
+  return std::nullopt;
+}
+
+void LocalizerNode::Parts::tick(Nanoseconds now)
+{
+  const Nanoseconds before = estimator_->estimate().stamp;
+  const std::uint32_t reasons = estimator_->estimate().reasons;
+  estimator_->tick(now);
+  const StairEstimate & after = estimator_->estimate();
+  if (after.stamp > Nanoseconds{0} && (after.stamp != before || after.reasons != reasons)) {
+    publish();
+  }
+  store();
+}
+
+// Simulated time stands still when its driver is gone; then no tick comes to notice the silence.
+void LocalizerNode::Parts::watch_clock()
+{
+  const Nanoseconds now = node_.clock().now();
+  stalled_checks_ = now == last_checked_ ? stalled_checks_ + 1 : 0;
+  last_checked_ = now;
+  if (stalled_checks_ == kStalledChecks && estimator_->estimate().stamp > Nanoseconds{0}) {
+    publish();
+  }
+}
+
+void LocalizerNode::Parts::publish()
+{
+  if (!node_.lifecycle().active()) {
+    return;
+  }
+  StairEstimate estimate = estimator_->estimate();
+  if (stalled_checks_ >= kStalledChecks) {
+    estimate.reasons |= kInputSilent;
+    estimate.integrity = integrity_of(estimate.reasons, estimate.step.has_value());
+  }
+  if (is_known(estimate.pose)) {
+    fill(pose_message_, estimate, flight_);
+    pose_.publish(pose_message_);
+  }
+  fill(stair_pose_message_, estimate, flight_);
+  stair_pose_.publish(stair_pose_message_);
+  if (is_known(estimate.pose) && odom_) {
+    fill(tf_message_, estimate, flight_, *odom_);
+    tf_.publish(tf_message_);
+  }
+  innovations_message_.header().frame_id(flight_.id());
+  fill(innovations_message_, *estimator_);
+  innovations_.publish(innovations_message_);
+  tell_changes(estimate);
+}
+
+void LocalizerNode::Parts::tell_changes(const StairEstimate & estimate)
+{
+  if (estimate.integrity != told_integrity_ || estimate.step != told_step_) {
+    const bool sound = estimate.integrity == Integrity::kOk;
+    node_.log().log(
+      sound ? spdlog::level::info : spdlog::level::warn, "step {}, integrity {}{}{}",
+      estimate.step.value_or(-1), to_string(estimate.integrity), sound ? "" : ": ",
+      reason_names(estimate.reasons));
+    told_integrity_ = estimate.integrity;
+    told_step_ = estimate.step;
+  }
+}
+
+void LocalizerNode::Parts::store()
+{
+  if (estimator_->state_version() == stored_version_) {
+    return;
+  }
+  stored_version_ = estimator_->state_version();
+  const auto trouble = state_file_.write(estimator_->state_to_store());
+  if (trouble && *trouble != state_trouble_) {
+    node_.log().error("{}", *trouble);
+  }
+  state_trouble_ = trouble.value_or("");
+}
+
+LocalizerNode::LocalizerNode(
+  stetro_dds::Context & context, const stetro_dds::NodeOptions & options,
+  const LocalizerParams & params)
+{
+  stetro_config::Faults faults;
+  const auto site = stetro_site::read_site(params.site_file, faults);
+  const auto robot = stetro_site::read_robot(params.robot_file, faults);
+  if (site && robot) {
+    for (const auto & fault : stetro_site::check_fit(*site, robot->geometry)) {
+      faults.add(fault);
+    }
+  }
+  const auto flight = chosen_flight(params.flight, site, faults);
+  faults.throw_if_any();
+  parts_ = std::make_unique<Parts>(context, options, params, flight, robot->geometry);
+}
+
+LocalizerNode::~LocalizerNode() = default;
+
+stetro_dds::Node & LocalizerNode::node() { return parts_->node_; }
+
+const StairEstimate & LocalizerNode::estimate() const { return parts_->estimator_->estimate(); }
+
+}  // namespace stetro_localizer

@@ -1,0 +1,35 @@
+// Copyright 2026 The sTetro Authors
+//
+// Licensed under the Apache License, Version 2.0 (the "License");
+// you may not use this file except in compliance with the License.
+// You may obtain a copy of the License at
+//
+//     http://www.apache.org/licenses/LICENSE-2.0
+//
+// Unless required by applicable law or agreed to in writing, software
+// distributed under the License is distributed on an "AS IS" BASIS,
+// WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+// See the License for the specific language governing permissions and
+// limitations under the License.
+
+#include "stetro_dds/executor.hpp"
+#include "stetro_dds/launch.hpp"
+#include "stetro_localizer/localizer_node.hpp"
+
+int main(int argc, char ** argv)
+{
+  using stetro_localizer::LocalizerNode;
+  using stetro_localizer::LocalizerParams;
+  return stetro_dds::run_main(
+    argc, argv,
+    {"stetro_localizer", "Says where the robot is on its flight of stairs, and how sure it is."},
+    [](stetro_dds::Launch & launch) {
+      const auto localizer = launch.configure<LocalizerParams>("localizer", "/stetro");
+      stetro_dds::Context context(launch.context_options());
+      LocalizerNode node(context, localizer.options, localizer.params);
+      stetro_dds::Executor executor;
+      executor.add(node.node());
+      launch.spin(executor);
+      return 0;
+    });
+}

@@ -1,0 +1,272 @@
+// Copyright 2026 The sTetro Authors
+//
+// Licensed under the Apache License, Version 2.0 (the "License");
+// you may not use this file except in compliance with the License.
+// You may obtain a copy of the License at
+//
+//     http://www.apache.org/licenses/LICENSE-2.0
+//
+// Unless required by applicable law or agreed to in writing, software
+// distributed under the License is distributed on an "AS IS" BASIS,
+// WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+// See the License for the specific language governing permissions and
+// limitations under the License.
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <optional>
+#include <string>
+
+#include "node/convert.hpp"
+#include "stetro_config/report.hpp"
+#include "stetro_dds/executor.hpp"
+#include "stetro_localizer/localizer_node.hpp"
+#include "stetro_msgs/PoseCorrection.hpp"
+#include "stetro_site/robot.hpp"
+#include "support/sensor_wire.hpp"
+#include "support/stair_robot.hpp"
+
+namespace stetro_localizer
+{
+namespace
+{
+
+namespace fs = std::filesystem;
+namespace qos = stetro_dds::qos;
+namespace stair = stetro_msgs::msg::StairPose_Constants;
+
+constexpr char kSite[] = R"(name: papers
+floors:
+  - {id: ground, elevation_m: 0.0}
+  - {id: landing, elevation_m: 2.24}
+flights:
+  - id: papers
+    joins: [ground, landing]
+    steps: 16
+    riser_m: 0.14
+    tread_m: 0.32
+    width_m: 2.05
+    sides: {right: walled, left: walled}
+    wall_overrun_m: 1.0
+    pose: {x_m: 10.0, y_m: 0.0, z_m: 0.0, yaw_rad: 0.0}
+)";
+
+/// The localizer, the robot's sensors on the wire, and somebody who listens; one process.
+class LocalizerNodeTest : public testing::Test
+{
+protected:
+  LocalizerNodeTest()
+  {
+    fs::create_directories(folder_);
+    params_.site_file = (folder_ / "site.yaml").string();
+    params_.robot_file = (folder_ / "robot.yaml").string();
+    params_.state_file = (folder_ / "state").string();
+    params_.initial_step = 3;
+    std::ofstream{params_.site_file} << kSite;
+    std::ofstream{params_.robot_file} << stetro_config::to_yaml(stetro_site::Robot{});
+    listen();
+    start();
+    robot_.stand_on(3);
+  }
+
+  ~LocalizerNodeTest() override
+  {
+    stop();
+    fs::remove_all(folder_);
+  }
+
+  void start()
+  {
+    localizer_.emplace(
+      context_, stetro_dds::NodeOptions{"localizer", "/stetro", stetro_dds::TimeSource::kByHand},
+      params_);
+    executor_.add(localizer_->node());
+    wire_.set_turn([this](Nanoseconds now) {
+      if (localizer_) {
+        localizer_->node().clock().set(now);
+      }
+      executor_.drain();
+    });
+  }
+
+  void stop()
+  {
+    if (localizer_) {
+      executor_.remove(localizer_->node());
+      localizer_.reset();
+    }
+  }
+
+  void listen()
+  {
+    auto & node = wire_.node();
+    node.subscribe<stetro_msgs::msg::StairPose>(
+      "stair_pose", qos::kLatched,
+      [this](const stetro_msgs::msg::StairPose & m) { stair_pose_ = m; });
+    node.subscribe<geometry_msgs::msg::PoseWithCovarianceStamped>(
+      "pose", qos::kPose,
+      [this](const geometry_msgs::msg::PoseWithCovarianceStamped & m) { pose_ = m; });
+    node.subscribe<stetro_msgs::msg::Innovations>(
+      "innovations", qos::kSensor,
+      [this](const stetro_msgs::msg::Innovations & m) { innovations_ = m; });
+    node.subscribe<tf2_msgs::msg::TFMessage>(
+      "/tf", qos::kTf, [this](const tf2_msgs::msg::TFMessage & m) { tf_ = m; });
+    executor_.add(node);
+  }
+
+  [[nodiscard]] std::uint64_t refused(const std::string & topic, const std::string & reason)
+  {
+    for (const auto & subscription : localizer_->node().subscriptions()) {
+      if (subscription->topic() == "/stetro/" + topic) {
+        const auto counts = subscription->counts();
+        const auto found = counts.refused_by_reason.find(reason);
+        return found == counts.refused_by_reason.end() ? 0 : found->second;
+      }
+    }
+    return 0;
+  }
+
+  const fs::path folder_ = fs::temp_directory_path() / ("localizer_" + std::to_string(::getpid()));
+  LocalizerParams params_;
+  stetro_dds::Context context_{test_options()};
+  stetro_dds::Executor executor_;
+  SensorWire wire_{context_};
+  StairRobot robot_{wire_};
+  std::optional<stetro_msgs::msg::StairPose> stair_pose_;
+  std::optional<geometry_msgs::msg::PoseWithCovarianceStamped> pose_;
+  std::optional<stetro_msgs::msg::Innovations> innovations_;
+  std::optional<tf2_msgs::msg::TFMessage> tf_;
+  std::optional<LocalizerNode> localizer_;
+};
+
+TEST_F(LocalizerNodeTest, PublishesWhereTheRobotIs)
+{
+  robot_.rest(1.0);
+  ASSERT_TRUE(stair_pose_ && pose_ && innovations_ && tf_);
+  EXPECT_EQ(stair_pose_->integrity(), stair::INTEGRITY_OK) << stair_pose_->reasons();
+  EXPECT_EQ(stair_pose_->step_index(), 3);
+  EXPECT_NEAR(stair_pose_->tread_y(), 1.0, 1e-6);
+  EXPECT_NEAR(pose_->pose().pose().position().x(), 10.0 + 2.5 * 0.32, 1e-9) << "in map";
+  EXPECT_NEAR(pose_->pose().pose().position().z(), 3 * 0.14, 1e-9);
+  EXPECT_EQ(std::string(tf_->transforms()[0].child_frame_id().c_str()), "odom");
+  EXPECT_EQ(innovations_->innovations().size(), 6u);
+}
+
+TEST_F(LocalizerNodeTest, AnswersEachArrayOfRangesWithItsStamp)
+{
+  robot_.rest(1.0);
+  robot_.tick(0.0, 0.0, 0.0);
+  robot_.tick(0.0, 0.0, 0.0);
+  robot_.tick(0.0, 0.0, 0.0);
+  const Nanoseconds stamp = to_time(pose_->header().stamp());
+  EXPECT_LE(robot_.now - stamp, std::chrono::milliseconds(20));
+  robot_.tick(0.0, 0.0, 0.0);
+  robot_.tick(0.0, 0.0, 0.0);
+  robot_.tick(0.0, 0.0, 0.0);
+  EXPECT_EQ(to_time(pose_->header().stamp()) - stamp, std::chrono::milliseconds(30));
+}
+
+TEST_F(LocalizerNodeTest, RefusesBadMessagesAndGoesOn)
+{
+  robot_.rest(1.0);
+  RangeSample nan = robot_.ranges();
+  nan.readings[0] = {
+    robot_.now, std::numeric_limits<double>::quiet_NaN(), 0.0, RangeStatus::kValid};
+  wire_.add_ranges(nan, robot_.now);
+  RangeSample zero = robot_.ranges();
+  zero.stamp = Nanoseconds{0};
+  for (RangeReading & reading : zero.readings) {
+    reading.status = RangeStatus::kNoTarget;
+  }
+  wire_.add_ranges(zero, robot_.now);
+  wire_.add_gyro({robot_.now + std::chrono::seconds(60), 0.0}, robot_.now);
+  wire_.add_gyro({robot_.now - std::chrono::milliseconds(100), 0.0}, robot_.now);
+  EXPECT_EQ(refused("ranges", "not_finite"), 1u);
+  EXPECT_EQ(refused("ranges", "stamp is zero"), 1u);
+  EXPECT_EQ(refused("imu/data", "stamp is in the future"), 1u);
+  EXPECT_EQ(refused("imu/data", "out of order"), 1u);
+  robot_.rest(0.2);
+  EXPECT_EQ(stair_pose_->integrity(), stair::INTEGRITY_OK);
+  EXPECT_NEAR(stair_pose_->tread_y(), 1.0, 1e-6);
+}
+
+TEST_F(LocalizerNodeTest, SaysThatItsInputsAreSilent)
+{
+  robot_.rest(1.0);
+  for (int i = 0; i < 100; ++i) {
+    robot_.now += std::chrono::milliseconds(10);
+    localizer_->node().clock().set(robot_.now);
+    executor_.drain();
+  }
+  EXPECT_EQ(stair_pose_->integrity(), stair::INTEGRITY_DEGRADED);
+  EXPECT_TRUE(stair_pose_->reasons() & stair::REASON_INPUT_SILENT);
+  EXPECT_TRUE(stair_pose_->reasons() & stair::REASON_NO_SIDE_RANGE);
+  EXPECT_LE(robot_.now - to_time(stair_pose_->header().stamp()), std::chrono::milliseconds(100));
+}
+
+TEST_F(LocalizerNodeTest, GoesOnAfterARestart)
+{
+  robot_.rest(1.0);
+  robot_.climb(3);
+  ASSERT_EQ(stair_pose_->step_index(), 4);
+  stop();
+  params_.initial_step = -1;
+  stair_pose_.reset();
+  start();
+  robot_.rest(1.0);
+  ASSERT_TRUE(stair_pose_);
+  EXPECT_EQ(stair_pose_->step_index(), 4);
+  EXPECT_EQ(stair_pose_->integrity(), stair::INTEGRITY_OK) << stair_pose_->reasons();
+}
+
+TEST_F(LocalizerNodeTest, ReportsADamagedStateFileAndWaitsToBeTold)
+{
+  robot_.rest(1.0);
+  stop();
+  std::ofstream{params_.state_file} << "garbage";
+  start();
+  robot_.rest(1.0);
+  EXPECT_EQ(stair_pose_->integrity(), stair::INTEGRITY_LOST);
+  EXPECT_TRUE(stair_pose_->reasons() & stair::REASON_CALIBRATION_DAMAGED);
+  StairEstimate told;
+  told.stamp = robot_.now;
+  told.pose = {2.5 * 0.32, 1.0, 3 * 0.14, 0.0};
+  geometry_msgs::msg::PoseWithCovarianceStamped message;
+  fill(message, told, papers_flight());
+  message.pose().pose().position().x(10.0 + 2.5 * 0.32);
+  wire_.tell(message);
+  robot_.rest(1.0);
+  EXPECT_EQ(stair_pose_->integrity(), stair::INTEGRITY_OK) << stair_pose_->reasons();
+  EXPECT_EQ(stair_pose_->step_index(), 3);
+}
+
+TEST_F(LocalizerNodeTest, RefusesPosesThatCannotBe)
+{
+  robot_.rest(1.0);
+  StairEstimate told;
+  told.stamp = robot_.now;
+  told.pose = {2.5 * 0.32, 1.0, 1.0, 0.0};
+  geometry_msgs::msg::PoseWithCovarianceStamped message;
+  fill(message, told, papers_flight());
+  wire_.tell(message);
+  EXPECT_EQ(refused("initialpose", "implausible"), 1u);
+  wire_.correct({});
+  EXPECT_EQ(refused("pose_correction", "not_on_a_floor"), 1u);
+}
+
+TEST_F(LocalizerNodeTest, RefusesToStartOnAWrongSite)
+{
+  LocalizerParams wrong = params_;
+  wrong.flight = "no such flight";
+  EXPECT_THROW(
+    LocalizerNode(context_, stetro_dds::NodeOptions{"other", "/stetro"}, wrong),
+    stetro_config::ConfigError);
+}
+
+}  // namespace
+}  // namespace stetro_localizer
