@@ -69,13 +69,19 @@ std::optional<Operator::Status> Operator::ask(
 
 std::string Operator::accepted(std::uint8_t request_kind, std::chrono::nanoseconds limit)
 {
-  const auto status = ask(request_kind, limit);
-  if (!status) {
-    return "no answer";
+  const Deadline deadline{limit};
+  std::string refusal = "no answer";
+  while (!deadline.passed()) {
+    const auto status = ask(request_kind, limit);
+    if (status && status->answer() == answer::ANSWER_ACCEPTED) {
+      return "";
+    }
+    if (status) {
+      refusal = std::string("refused: ") + status->answer_reason().c_str();
+      status_.wait_next(200ms);  // a node that has just started may not have heard the others yet
+    }
   }
-  return status->answer() == answer::ANSWER_ACCEPTED
-           ? ""
-           : "refused: " + std::string(status->answer_reason().c_str());
+  return refusal;
 }
 
 std::string Operator::start_climb(std::chrono::nanoseconds limit)

@@ -42,13 +42,14 @@ public:
    * \return the status that echoes the request; nothing if none came */
   std::optional<Status> ask(std::uint8_t kind, std::chrono::nanoseconds limit);
 
-  /// Asks for the flight `stairs` to be cleaned. \return why not; empty if it was accepted
+  /// Asks for the flight `stairs` to be cleaned, again and again until it is accepted.
+  /** \return why it was refused last; empty if it was accepted */
   std::string start_climb(std::chrono::nanoseconds limit);
 
-  /// Goes on after a restart or a pause. \return why not; empty if it was accepted
+  /// Goes on after a restart or a pause, asked likewise.
   std::string resume(std::chrono::nanoseconds limit);
 
-  [[nodiscard]] Probe<Status> & status() { return status_; }
+  [[nodiscard]] Probe<Status> & status() const { return status_; }
 
 private:
   std::string accepted(std::uint8_t kind, std::chrono::nanoseconds limit);

@@ -1,0 +1,33 @@
+// Copyright 2026 The sTetro Authors
+//
+// Licensed under the Apache License, Version 2.0 (the "License");
+// you may not use this file except in compliance with the License.
+// You may obtain a copy of the License at
+//
+//     http://www.apache.org/licenses/LICENSE-2.0
+//
+// Unless required by applicable law or agreed to in writing, software
+// distributed under the License is distributed on an "AS IS" BASIS,
+// WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+// See the License for the specific language governing permissions and
+// limitations under the License.
+
+#ifndef TESTS__BENCHMARK__PROCESS_USAGE_HPP_
+#define TESTS__BENCHMARK__PROCESS_USAGE_HPP_
+
+#include <sys/types.h>
+
+#include <chrono>
+
+namespace bench
+{
+
+/// CPU time that the process has used so far, all threads, user and system.
+std::chrono::nanoseconds cpu_time_of(pid_t pid);
+
+/// Its proportional set size: memory, shared pages divided by those who share them [MiB].
+double pss_mib_of(pid_t pid);
+
+}  // namespace bench
+
+#endif  // TESTS__BENCHMARK__PROCESS_USAGE_HPP_
