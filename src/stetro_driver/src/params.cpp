@@ -68,7 +68,7 @@ SimOptions sim_options(const DriverParams & params)
 {
   SimOptions options;
   options.seed = static_cast<std::uint64_t>(params.sim.seed);
-  options.as_built = params.sim.world == "as_built";
+  options.as_built = params.sim.world == "as-built";
   options.errors = params.sim.errors;
   options.faults = parse_sim_faults(params.sim.faults);
   options.snapshot_path = params.sim.snapshot_file;

@@ -44,7 +44,7 @@ struct CommandParams
 struct SimParams
 {
   std::int64_t seed = 1;
-  std::string world = "as_built";
+  std::string world = "as-built";
   std::string faults;
   std::string snapshot_file;
   std::vector<double> start;  ///< x, y [m] and yaw [rad] in the flight frame; empty: drawn
@@ -87,7 +87,7 @@ void visit(SimParams & p, Visitor && each)
   using stetro_config::Within;
   each("seed", p.seed, Within{0, 1e15}, "of the world, the devices and the start");
   each(
-    "world", p.world, OneOf{"as_built", "site"},
+    "world", p.world, OneOf{"as-built", "site"},
     "the stairs differ from the site file as built, or not");
   each("faults", p.faults, Any{}, "faults on demand, such as dead:front_left@120; see --help");
   each("snapshot_file", p.snapshot_file, Any{}, "the world goes on from it; empty: no snapshot");
