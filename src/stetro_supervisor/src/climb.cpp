@@ -160,7 +160,7 @@ void Climb::watch(const Situation & s)
       memory_.nearest_time = now_;
     }
   }
-  if (sweeps(state_) && s.pose_sound() && s.step() >= 1) {
+  if (sweeps(state_) && s.pose_usable() && s.step() >= 1) {
     memory_.record.swept.at(static_cast<std::size_t>(s.step() - 1)).pass(seen_.pose->y_m);
     memory_.heading.update(params_, s.heading_rad(), sweep_direction(s), memory_.offset.value_m());
   }

@@ -23,6 +23,10 @@ namespace stetro_supervisor
 namespace
 {
 
+/// Reasons of DEGRADED, as on the wire, that the next wall or riser takes away while standing still
+/// never would: no side range, no front reference, sides that do not add up, slip.
+constexpr std::uint32_t kBearableReasons = 1u | 2u | 64u | 8192u;
+
 bool closed(const Contact & contact)
 {
   return contact.state == ContactState::kClosed && !contact.fault;
@@ -44,13 +48,17 @@ bool older_than(const std::optional<Sample> & sample, Time now, double limit_s)
 
 bool Situation::pose_sound() const { return pose_doubt().empty(); }
 
+bool Situation::pose_usable() const
+{
+  const bool bearable = seen.pose && seen.pose->integrity == Integrity::kDegraded &&
+                        (seen.pose->reasons & ~kBearableReasons) == 0u;
+  return bearable ? unusable_because().empty() : pose_sound();
+}
+
 std::string Situation::pose_doubt() const
 {
   const auto & pose = seen.pose;
-  if (older_than(pose, now, params.pose_silence_s)) {
-    return "the localizer is silent";
-  }
-  if (pose->integrity != Integrity::kOk) {
+  if (!older_than(pose, now, params.pose_silence_s) && pose->integrity != Integrity::kOk) {
     const bool degraded = pose->integrity == Integrity::kDegraded;
     const bool lost = pose->integrity == Integrity::kLost;
     return std::string("integrity is ") +
@@ -58,6 +66,15 @@ std::string Situation::pose_doubt() const
             : lost   ? "LOST"
                      : "UNKNOWN") +
            ", reasons " + std::to_string(pose->reasons) + ", accepted: OK";
+  }
+  return unusable_because();
+}
+
+std::string Situation::unusable_because() const
+{
+  const auto & pose = seen.pose;
+  if (older_than(pose, now, params.pose_silence_s)) {
+    return "the localizer is silent";
   }
   if (!pose->on_flight || pose->segment_id != geometry.segment_id) {
     return "the pose is on '" + pose->segment_id + "', accepted: flight '" + geometry.segment_id +
@@ -75,7 +92,7 @@ bool Situation::pose_settled() const
          seconds_between(*memory.pose_sound_since, now) >= params.pose_settle_s;
 }
 
-double Situation::heading_rad() const { return pose_sound() ? seen.pose->heading_rad : 0.0; }
+double Situation::heading_rad() const { return pose_usable() ? seen.pose->heading_rad : 0.0; }
 
 bool Situation::driver_silent() const
 {

@@ -25,7 +25,7 @@ namespace
 double to_go_m(const Situation & s, int direction)
 {
   if (s.state == State::kSweepToMiddle) {
-    return s.pose_sound() ? std::abs(s.geometry.middle_y_m(s.step()) - s.seen.pose->y_m) : 0.0;
+    return s.pose_usable() ? std::abs(s.geometry.middle_y_m(s.step()) - s.seen.pose->y_m) : 0.0;
   }
   const double by_pose = wall_gap_m(s, direction);
   const auto by_range = s.gap_m(direction > 0 ? Place::kSideLeft : Place::kSideRight);
@@ -52,14 +52,14 @@ State state_of(Leg leg, const ClimbParams & params)
 int sweep_direction(const Situation & s)
 {
   if (s.state == State::kSweepToMiddle) {
-    return s.pose_sound() && s.seen.pose->y_m > s.geometry.middle_y_m(s.step()) ? -1 : +1;
+    return s.pose_usable() && s.seen.pose->y_m > s.geometry.middle_y_m(s.step()) ? -1 : +1;
   }
   return s.state == State::kSweepLeft ? +1 : -1;
 }
 
 double wall_gap_m(const Situation & s, int side)
 {
-  if (!s.pose_sound()) {
+  if (!s.pose_usable()) {
     return 0.0;
   }
   const double y = s.seen.pose->y_m;

@@ -43,7 +43,7 @@ inline bool is_across(const Situation & s) { return s.steering_at(kQuarterTurn_r
 
 inline bool is_square(const Situation & s)
 {
-  return s.pose_sound() && std::abs(s.heading_rad()) <= s.params.square_rad;
+  return s.pose_usable() && std::abs(s.heading_rad()) <= s.params.square_rad;
 }
 
 inline MotionCommand turn_square(const Situation & s)

@@ -63,7 +63,7 @@ bool may_lift_again(const Situation & s) { return s.memory.relifts < s.params.ma
 
 bool on_old_tread_again(const Situation & s) { return on_old_tread(s) && !may_lift_again(s); }
 
-bool counted(const Situation & s) { return s.pose_sound() && s.seen.pose->step == s.step() + 1; }
+bool counted(const Situation & s) { return s.pose_usable() && s.seen.pose->step == s.step() + 1; }
 
 bool not_counted(const Situation & s)
 {
@@ -119,14 +119,16 @@ Row confirm_step()
 std::vector<Row> step_rows()
 {
   std::vector<Row> rows;
-  rows.push_back(
-    {State::kSquare,
-     "swept, in the middle, wheels across",
-     turn_square,
-     &ClimbParams::align_limit_s,
-     Fault::kMisaligned,
-     {{"no riser where one must be", riser_missing, State::kFault, Fault::kRiserMissing},
-      {"square and the pose is sound", ready_to_climb, State::kSteerAlong}}});
+  Row square{
+    State::kSquare,
+    "swept, in the middle, wheels across",
+    turn_square,
+    &ClimbParams::align_limit_s,
+    Fault::kMisaligned,
+    {{"no riser where one must be", riser_missing, State::kFault, Fault::kRiserMissing},
+     {"square and the pose is sound", ready_to_climb, State::kSteerAlong}}};
+  square.needs_ok = true;
+  rows.push_back(square);
   rows.push_back(
     {State::kSteerAlong,
      "square",

@@ -99,8 +99,8 @@ bool no_wall(const Situation & s)
 
 bool in_the_middle(const Situation & s)
 {
-  return s.pose_sound() && std::abs(s.seen.pose->y_m - s.geometry.middle_y_m(s.step())) <=
-                             s.params.middle_tolerance_m;
+  return s.pose_usable() && std::abs(s.seen.pose->y_m - s.geometry.middle_y_m(s.step())) <=
+                              s.params.middle_tolerance_m;
 }
 
 bool top_in_the_middle(const Situation & s) { return s.on_top() && in_the_middle(s); }

@@ -77,13 +77,14 @@ bool driver_lost(const Situation & s)
 
 bool pose_unsound(const Situation & s)
 {
-  return needs_pose(s) && s.state != State::kRejoin && !s.pose_sound();
+  const bool fit = row_of(s.state).needs_ok ? s.pose_sound() : s.pose_usable();
+  return needs_pose(s) && s.state != State::kRejoin && !fit;
 }
 
 /// What was felt and what the localizer counts must agree, or nothing moves (D3-14).
 bool step_contradicts(const Situation & s)
 {
-  if (!needs_pose(s) || s.state == State::kRejoin || !s.pose_sound()) {
+  if (!needs_pose(s) || s.state == State::kRejoin || !s.pose_usable()) {
     return false;
   }
   const int ahead = s.seen.pose->step - s.step();

@@ -151,6 +151,32 @@ TEST_F(MissionTest, RefusesToClimbWithoutAnOkPoseAndSaysWhy)
   EXPECT_FALSE(climb.tick(robot.now, robot.look()).moves());
 }
 
+TEST_F(MissionTest, FinishesASweepOnADegradedPoseButStartsNoClimb)
+{
+  start();
+  ASSERT_TRUE(run_to_state(climb, robot, State::kSweepLeft)) << where(climb, robot);
+  robot.meddle = [](Observation & o) {
+    o.pose->integrity = Integrity::kDegraded;
+    o.pose->reasons = 64;  // the sides do not add up: the next wall puts that right
+  };
+  ASSERT_TRUE(run_to_state(climb, robot, State::kSquare, 100.0)) << where(climb, robot);
+  ASSERT_TRUE(run_to_state(climb, robot, State::kWaitPose, 1.0)) << where(climb, robot);
+  robot.meddle = nullptr;
+  ASSERT_TRUE(run_to_state(climb, robot, State::kLiftBlock2, 20.0)) << where(climb, robot);
+}
+
+TEST_F(MissionTest, AStepInDoubtStopsAtOnce)
+{
+  start();
+  ASSERT_TRUE(run_to_state(climb, robot, State::kSweepLeft)) << where(climb, robot);
+  robot.meddle = [](Observation & o) {
+    o.pose->integrity = Integrity::kDegraded;
+    o.pose->reasons = 64 | 4;
+  };
+  EXPECT_FALSE(climb.tick(robot.now, robot.look()).moves());
+  EXPECT_EQ(climb.state(), State::kWaitPose);
+}
+
 TEST_F(MissionTest, RefusesWhatIsNotSupportedOrUnknown)
 {
   tick();

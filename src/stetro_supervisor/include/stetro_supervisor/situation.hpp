@@ -102,9 +102,11 @@ struct Situation
 
   // the localizer
   bool pose_sound() const;         ///< fresh, on this flight, integrity OK, finite
+  bool pose_usable() const;        ///< the same, or DEGRADED by a reason that work under way bears
   bool pose_settled() const;       ///< sound for long enough
   std::string pose_doubt() const;  ///< why it is not sound, in words
-  double heading_rad() const;      ///< psi, 0 when the pose is not sound [rad]
+  std::string unusable_because() const;  ///< what is wrong beside its integrity, in words
+  double heading_rad() const;            ///< psi, 0 when the pose is not usable [rad]
 
   // the driver
   bool driver_silent() const;

@@ -63,7 +63,8 @@ namespace stetro_supervisor
  *   every state     --(emergency stop)--> Fault         Fault --(clear)--> Held, Idle
  *   at work         --(a block or switch broken, commands refused)--> Fault
  *   at work         --(driver silent or restarted, clock jumped back)--> Held
- *   at work         --(localizer silent or not OK)--> WaitPose
+ *   at work         --(localizer silent, lost or its step in doubt)--> WaitPose
+ *   Square          --(integrity not OK: no climb starts)--> WaitPose
  *   at work         --(localizer's step is not k)--> Fault
  *   with a mission  --(pause)--> Paused   --(abort)--> Aborted
  */
@@ -91,10 +92,11 @@ struct Row
   Fault on_limit;                ///< the fault exit of the limit
   std::vector<Exit> exits;
   bool works = true;       ///< the mission is under way: silence of the driver holds
-  bool needs_pose = true;  ///< waits when the pose is not sound
+  bool needs_pose = true;  ///< waits when the pose is not usable: silent, lost, step in doubt
   bool may_count = false;  ///< the localizer may already count the next step
   Effect enter = nullptr;
   std::optional<double> (*gap_m)(const Situation &) = nullptr;  ///< watched for a stall
+  bool needs_ok = false;  ///< waits when its integrity is not OK: no climb starts then
 };
 
 /// A row for every state, in the order of State.
