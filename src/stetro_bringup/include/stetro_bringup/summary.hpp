@@ -1,0 +1,53 @@
+// Copyright 2026 The sTetro Authors
+//
+// Licensed under the Apache License, Version 2.0 (the "License");
+// you may not use this file except in compliance with the License.
+// You may obtain a copy of the License at
+//
+//     http://www.apache.org/licenses/LICENSE-2.0
+//
+// Unless required by applicable law or agreed to in writing, software
+// distributed under the License is distributed on an "AS IS" BASIS,
+// WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+// See the License for the specific language governing permissions and
+// limitations under the License.
+#ifndef STETRO_BRINGUP__SUMMARY_HPP_
+#define STETRO_BRINGUP__SUMMARY_HPP_
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "stetro_bringup/climb_report.hpp"
+
+namespace stetro_bringup
+{
+
+/// How a climb ended.
+struct ClimbOutcome
+{
+  bool completed = false;           ///< the mission was reported finished
+  int final_step = -1;              ///< last step the localizer stated, -1 unknown
+  std::string integrity;            ///< last integrity: OK, DEGRADED, LOST, UNKNOWN
+  std::uint64_t seed = 0;           ///< of the simulated world and its sensors
+  std::string estimator;            ///< paper or fused
+  std::string world;                ///< as-built or site
+  std::string calibration;          ///< factory or none
+  bool in_process = false;          ///< one process, or three over the loopback
+  double wall_time_s = 0.0;         ///< from the mission's start to its end
+  double simulated_time_s = 0.0;    ///< the same on the robot's clock
+  std::vector<std::string> faults;  ///< every fault the supervisor reported, in order
+};
+
+/// The climb as `summary.json`: SI units in the key names, null for what is not known.
+[[nodiscard]] std::string summary_json(const ClimbOutcome & outcome, const ClimbErrors & errors);
+
+/// The climb for a reader.
+void print_summary(std::ostream & out, const ClimbOutcome & outcome, const ClimbErrors & errors);
+
+/// A climb counts only when it ended on the last step, trusted, without a fault.
+[[nodiscard]] bool succeeded(const ClimbOutcome & outcome, int step_count);
+
+}  // namespace stetro_bringup
+
+#endif  // STETRO_BRINGUP__SUMMARY_HPP_

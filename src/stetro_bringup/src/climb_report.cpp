@@ -1,0 +1,121 @@
+// Copyright 2026 The sTetro Authors
+//
+// Licensed under the Apache License, Version 2.0 (the "License");
+// you may not use this file except in compliance with the License.
+// You may obtain a copy of the License at
+//
+//     http://www.apache.org/licenses/LICENSE-2.0
+//
+// Unless required by applicable law or agreed to in writing, software
+// distributed under the License is distributed on an "AS IS" BASIS,
+// WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+// See the License for the specific language governing permissions and
+// limitations under the License.
+#include "stetro_bringup/climb_report.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <ostream>
+
+namespace stetro_bringup
+{
+namespace
+{
+
+constexpr double kDegreesPerRadian = 180.0 / M_PI;
+
+double wrapped(double angle_rad) { return std::remainder(angle_rad, 2.0 * M_PI); }
+
+}  // namespace
+
+ClimbReport::ClimbReport(const ReportFacts & facts) : facts_(facts) {}
+
+StepRow & ClimbReport::row_of(int step)
+{
+  const auto found = std::find_if(
+    steps_.begin(), steps_.end(), [step](const StepRow & row) { return row.step == step; });
+  if (found != steps_.end()) {
+    return *found;
+  }
+  StepRow fresh;
+  fresh.step = step;
+  fresh.y_max_m = -std::numeric_limits<double>::infinity();
+  fresh.y_min_m = std::numeric_limits<double>::infinity();
+  steps_.push_back(fresh);
+  return steps_.back();
+}
+
+void ClimbReport::add_sweeping(const TraceRow & row)
+{
+  const bool lost = std::isnan(row.estimate.tread_y_m) || std::isnan(row.estimate.heading_rad);
+  if (row.estimate.step < 1 || lost) {
+    return;  // only treads are swept
+  }
+  StepRow & step = row_of(row.estimate.step);
+  ++step.estimates;
+  step.y_max_m = std::max(step.y_max_m, row.estimate.tread_y_m);
+  step.y_min_m = std::min(step.y_min_m, row.estimate.tread_y_m);
+  step.closure_error_m = facts_.width_m - ((step.y_max_m - step.y_min_m) + facts_.contact_width_m);
+  if (!row.truth) {
+    return;
+  }
+  if (row.truth->step != row.estimate.step) {
+    ++errors_.wrong_step;
+  }
+  const double y = row.estimate.tread_y_m - row.truth->tread_y_m;
+  const double x = row.estimate.tread_x_m - row.truth->tread_x_m;
+  const double heading = wrapped(row.estimate.heading_rad - row.truth->heading_rad);
+  step.y_error_m.add(y);
+  step.x_error_m.add(x);
+  step.heading_error_rad.add(heading);
+  errors_.y_error_m.add(y);
+  errors_.x_error_m.add(x);
+  errors_.heading_error_rad.add(heading);
+}
+
+ClimbErrors ClimbReport::errors() const
+{
+  ClimbErrors sums = errors_;
+  for (const StepRow & step : steps_) {
+    sums.closure_error_m.add(step.closure_error_m);
+  }
+  return sums;
+}
+
+void print_table(std::ostream & out, const ClimbReport & report)
+{
+  out << "step   y_max   y_min  closure     y error (rms, max)   x error (rms)  heading error "
+         "(rms, max)\n"
+         "          cm      cm       cm             cm                  cm                 deg\n";
+  for (const StepRow & step : report.steps()) {
+    std::array<char, 160> line{};
+    std::snprintf(
+      line.data(), line.size(),
+      "%4d  %6.1f  %6.1f  %7.2f       %7.2f %7.2f       %8.2f        %9.2f %7.2f\n", step.step,
+      100.0 * step.y_max_m, 100.0 * step.y_min_m, 100.0 * step.closure_error_m,
+      100.0 * step.y_error_m.rms(), 100.0 * step.y_error_m.max_abs(), 100.0 * step.x_error_m.rms(),
+      kDegreesPerRadian * step.heading_error_rad.rms(),
+      kDegreesPerRadian * step.heading_error_rad.max_abs());
+    out << line.data();
+  }
+}
+
+void write_steps_csv(std::ostream & out, const ClimbReport & report)
+{
+  out << "step,estimates,y_max_m,y_min_m,closure_error_m,y_rmse_m,y_max_error_m,x_rmse_m,"
+         "x_mean_error_m,heading_rmse_rad,heading_max_error_rad\n";
+  for (const StepRow & step : report.steps()) {
+    std::array<char, 256> line{};
+    std::snprintf(
+      line.data(), line.size(), "%d,%zu,%.6f,%.6f,%.6f,%.6f,%.6f,%.6f,%.6f,%.6f,%.6f\n", step.step,
+      step.estimates, step.y_max_m, step.y_min_m, step.closure_error_m, step.y_error_m.rms(),
+      step.y_error_m.max_abs(), step.x_error_m.rms(), step.x_error_m.mean(),
+      step.heading_error_rad.rms(), step.heading_error_rad.max_abs());
+    out << line.data();
+  }
+}
+
+}  // namespace stetro_bringup

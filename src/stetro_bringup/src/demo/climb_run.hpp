@@ -1,0 +1,76 @@
+// Copyright 2026 The sTetro Authors
+//
+// Licensed under the Apache License, Version 2.0 (the "License");
+// you may not use this file except in compliance with the License.
+// You may obtain a copy of the License at
+//
+//     http://www.apache.org/licenses/LICENSE-2.0
+//
+// Unless required by applicable law or agreed to in writing, software
+// distributed under the License is distributed on an "AS IS" BASIS,
+// WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+// See the License for the specific language governing permissions and
+// limitations under the License.
+#ifndef DEMO__CLIMB_RUN_HPP_
+#define DEMO__CLIMB_RUN_HPP_
+
+#include <chrono>
+#include <fstream>
+#include <string>
+
+#include "demo_node.hpp"
+#include "demo_options.hpp"
+#include "progress.hpp"
+#include "stetro_bringup/climb_report.hpp"
+#include "stetro_bringup/recorder.hpp"
+#include "stetro_bringup/summary.hpp"
+#include "stetro_bringup/trace.hpp"
+#include "stetro_dds/context.hpp"
+
+namespace stetro_bringup
+{
+
+/// One climb from the request to the report: asks, records, shows, writes.
+class ClimbRun
+{
+public:
+  /// \param step_count of the flight: a climb that ends elsewhere has not succeeded
+  /// \throws std::runtime_error if the results cannot be written
+  ClimbRun(
+    stetro_dds::Context & context, const DemoOptions & options, const ReportFacts & facts,
+    int step_count);
+
+  [[nodiscard]] stetro_dds::Node & node() { return demo_.node(); }
+
+  /// Asks for the climb and shows how far it is; call it again and again. \return whether it goes on
+  bool goes_on();
+
+  /// Tells that the run cannot go on, for example because a process has died.
+  void give_up(const std::string & reason);
+
+  /// Writes the results, draws them and prints the report. \return the exit status
+  int report();
+
+private:
+  [[nodiscard]] ClimbOutcome outcome() const;
+  [[nodiscard]] double wall_time_s() const;
+  [[nodiscard]] double simulated_time_s() const;
+  void ask();
+  void draw() const;
+
+  const DemoOptions & options_;
+  const int step_count_;
+  const std::chrono::steady_clock::time_point started_;
+  std::ofstream trace_file_;
+  TraceWriter trace_;
+  ClimbReport report_;
+  Recorder recorder_;
+  DemoNode demo_;
+  Progress progress_;
+  std::vector<std::string> troubles_;
+  std::chrono::nanoseconds asked_{0};
+};
+
+}  // namespace stetro_bringup
+
+#endif  // DEMO__CLIMB_RUN_HPP_

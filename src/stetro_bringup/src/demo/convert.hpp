@@ -1,0 +1,49 @@
+// Copyright 2026 The sTetro Authors
+//
+// Licensed under the Apache License, Version 2.0 (the "License");
+// you may not use this file except in compliance with the License.
+// You may obtain a copy of the License at
+//
+//     http://www.apache.org/licenses/LICENSE-2.0
+//
+// Unless required by applicable law or agreed to in writing, software
+// distributed under the License is distributed on an "AS IS" BASIS,
+// WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+// See the License for the specific language governing permissions and
+// limitations under the License.
+#ifndef DEMO__CONVERT_HPP_
+#define DEMO__CONVERT_HPP_
+
+#include <optional>
+#include <string>
+
+#include "stetro_bringup/recorder.hpp"
+#include "stetro_dds/refusal.hpp"
+#include "stetro_msgs/StairPose.hpp"
+#include "stetro_msgs/Time.hpp"
+
+namespace stetro_bringup
+{
+
+/// [ns], from seconds and nanoseconds.
+[[nodiscard]] std::chrono::nanoseconds time_of(const builtin_interfaces::msg::Time & stamp);
+
+/// Where a StairPose says the robot is.
+/**
+ * What is unknown, as a pose that is lost or a place on the tread while on the floor, stays NaN.
+ *
+ * \return nothing if the stamp is not after zero or a number is infinite; `why` says which then
+ */
+[[nodiscard]] std::optional<StairSample> sample_of(
+  const stetro_msgs::msg::StairPose & message, stetro_dds::Refusal & why);
+
+/// The estimate in a StairPose; `sample` is what sample_of() made of it.
+[[nodiscard]] Estimate estimate_of(
+  const stetro_msgs::msg::StairPose & message, const StairSample & sample);
+
+[[nodiscard]] std::string integrity_name(std::uint8_t integrity);
+[[nodiscard]] std::string outcome_name(std::uint8_t outcome);
+
+}  // namespace stetro_bringup
+
+#endif  // DEMO__CONVERT_HPP_

@@ -1,0 +1,162 @@
+// Copyright 2026 The sTetro Authors
+//
+// Licensed under the Apache License, Version 2.0 (the "License");
+// you may not use this file except in compliance with the License.
+// You may obtain a copy of the License at
+//
+//     http://www.apache.org/licenses/LICENSE-2.0
+//
+// Unless required by applicable law or agreed to in writing, software
+// distributed under the License is distributed on an "AS IS" BASIS,
+// WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+// See the License for the specific language governing permissions and
+// limitations under the License.
+#include "demo_options.hpp"
+
+#include <cstdlib>
+#include <filesystem>
+#include <sstream>
+#include <stdexcept>
+
+namespace stetro_bringup
+{
+namespace
+{
+
+// Every string is quoted, so that no file name or fault reads as another YAML type.
+std::string quoted(const std::string & text) { return '"' + text + '"'; }
+
+std::string number(double value)
+{
+  std::ostringstream text;
+  text << std::showpoint << value;
+  return text.str();
+}
+
+// colcon installs each package into <install>/<package>, or all into one with --merge-install;
+// either way this program is <prefix>/bin/stetro_demo.
+std::filesystem::path prefix()
+{
+  return std::filesystem::canonical("/proc/self/exe").parent_path().parent_path();
+}
+
+NodeSettings common(const DemoOptions & options)
+{
+  return {
+    {"site_file", quoted(options.site)},
+    {"robot_file", quoted(options.robot)},
+    {"flight", quoted(options.flight)}};
+}
+
+std::string joined(const std::vector<std::string> & texts)
+{
+  std::string all;
+  for (const std::string & text : texts) {
+    all += (all.empty() ? "" : ",") + text;
+  }
+  return all;
+}
+
+}  // namespace
+
+void add_options(CLI::App & app, DemoOptions & options)
+{
+  app.add_option("--out", options.out, "folder of the results")->capture_default_str();
+  app.add_option("--seed", options.seed, "of the world, the sensors and the disturbances")
+    ->capture_default_str();
+  app
+    .add_option(
+      "--speed", options.speed,
+      "simulated seconds a second at most; the robot's processes set the pace")
+    ->check(CLI::Range(0.1, 1000.0))
+    ->capture_default_str();
+  app.add_option("--estimator", options.estimator, "how the localizer estimates")
+    ->check(CLI::IsMember({"paper"}))
+    ->capture_default_str();
+  app.add_option("--site", options.site, "site file: what the software believes")
+    ->check(CLI::ExistingFile)
+    ->default_str("the papers' staircase");
+  app.add_option("--robot", options.robot, "robot file")
+    ->check(CLI::ExistingFile)
+    ->default_str("the papers' robot");
+  app.add_option("--flight", options.flight, "id of the flight to climb")->capture_default_str();
+  app.add_option("--world", options.world, "what is there: the site as built, or exactly the site")
+    ->check(CLI::IsMember({"as-built", "site"}))
+    ->capture_default_str();
+  app.add_option("--calibration", options.calibration, "of the range sensors")
+    ->check(CLI::IsMember({"factory", "none"}))
+    ->capture_default_str();
+  app.add_option("--faults", options.faults, "to inject, see stetro_driver --help")->delimiter(',');
+  app.add_flag(
+    "--in-process", options.in_process, "one process; the same seed gives the same bytes");
+  app.add_flag(
+    "--no-ground-truth", options.no_ground_truth, "the simulator keeps the truth to itself");
+  app.add_flag("--no-plots", options.no_plots, "draw nothing");
+  app.add_option("--time-limit", options.time_limit_s, "wall time to give up after [s]")
+    ->check(CLI::PositiveNumber)
+    ->capture_default_str();
+}
+
+NodeSettings driver_settings(const DemoOptions & options)
+{
+  NodeSettings settings = common(options);
+  settings.insert(
+    settings.end(), {{"sim.seed", std::to_string(options.seed)},
+                     {"sim.world", quoted(options.world)},
+                     {"sim.errors.calibration", quoted(options.calibration)},
+                     {"sim.faults", quoted(joined(options.faults))},
+                     {"sim.ground_truth", options.no_ground_truth ? "false" : "true"},
+                     {"sim.speed", number(options.speed)}});
+  return settings;
+}
+
+NodeSettings localizer_settings(const DemoOptions & options)
+{
+  NodeSettings settings = common(options);
+  settings.insert(
+    settings.end(), {{"estimator", quoted(options.estimator)},
+                     {"use_sim_time", "true"},
+                     {"state_file", quoted(options.out + "/localizer.state")}});
+  return settings;
+}
+
+NodeSettings supervisor_settings(const DemoOptions & options)
+{
+  NodeSettings settings = common(options);
+  settings.insert(
+    settings.end(),
+    {{"use_sim_time", "true"}, {"state_file", quoted(options.out + "/supervisor.state")}});
+  return settings;
+}
+
+std::string shipped_file(const std::string & name)
+{
+  const auto file = prefix() / "share" / "stetro_bringup" / "config" / name;
+  if (!std::filesystem::exists(file)) {
+    throw std::runtime_error("the installation is incomplete: " + file.string() + " is missing");
+  }
+  return file.string();
+}
+
+std::string shipped_program(const std::string & name)
+{
+  const auto merged = prefix() / "bin" / name;
+  const auto isolated = prefix().parent_path() / name / "bin" / name;
+  for (const auto & program : {merged, isolated}) {
+    if (std::filesystem::exists(program)) {
+      return program.string();
+    }
+  }
+  throw std::runtime_error(
+    "the installation is incomplete: neither " + merged.string() + " nor " + isolated.string());
+}
+
+void start_afresh(const DemoOptions & options)
+{
+  std::filesystem::create_directories(options.out);
+  for (const char * state : {"localizer.state", "supervisor.state"}) {
+    std::filesystem::remove(options.out + '/' + state);
+  }
+}
+
+}  // namespace stetro_bringup

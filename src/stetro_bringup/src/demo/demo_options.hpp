@@ -1,0 +1,68 @@
+// Copyright 2026 The sTetro Authors
+//
+// Licensed under the Apache License, Version 2.0 (the "License");
+// you may not use this file except in compliance with the License.
+// You may obtain a copy of the License at
+//
+//     http://www.apache.org/licenses/LICENSE-2.0
+//
+// Unless required by applicable law or agreed to in writing, software
+// distributed under the License is distributed on an "AS IS" BASIS,
+// WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+// See the License for the specific language governing permissions and
+// limitations under the License.
+#ifndef DEMO__DEMO_OPTIONS_HPP_
+#define DEMO__DEMO_OPTIONS_HPP_
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace stetro_bringup
+{
+
+/// What `stetro_demo` was asked to do.
+struct DemoOptions
+{
+  std::string out = "out/demo";  ///< folder of the results
+  std::uint64_t seed = 1;        ///< of the world, the sensors and the disturbances
+  double speed = 20.0;           ///< simulated seconds a second at most; 0: as fast as it goes
+  std::string estimator = "paper";
+  std::string site;                ///< what the software believes; empty: the papers' staircase
+  std::string robot;               ///< empty: the papers' robot
+  std::string flight = "stairs";   ///< id of the flight to clean
+  std::string world = "as-built";  ///< what is there: as-built or site
+  std::string calibration = "factory";  ///< of the range sensors: factory or none
+  std::vector<std::string> faults;      ///< to inject, by name
+  bool in_process = false;              ///< one process on simulated time: a repeatable run
+  bool no_ground_truth = false;         ///< the simulator keeps the truth to itself
+  bool no_plots = false;
+  double time_limit_s = 600.0;  ///< wall time after which the climb is given up
+};
+
+/// Declares the options on the command line; they are read into `options`, which must outlive it.
+void add_options(CLI::App & app, DemoOptions & options);
+
+/// Parameters of one node, as the command line of ROS 2 takes them: name and YAML text.
+using NodeSettings = std::vector<std::pair<std::string, std::string>>;
+
+[[nodiscard]] NodeSettings driver_settings(const DemoOptions & options);
+[[nodiscard]] NodeSettings localizer_settings(const DemoOptions & options);
+[[nodiscard]] NodeSettings supervisor_settings(const DemoOptions & options);
+
+/// The shipped file `name`, for example "site/papers_staircase.yaml", in share/stetro_bringup/config.
+/** \throws std::runtime_error if the installation has no such file */
+[[nodiscard]] std::string shipped_file(const std::string & name);
+
+/// The installed program `name`: beside this one, or in the package of its name next to ours.
+/** \throws std::runtime_error if the installation has none */
+[[nodiscard]] std::string shipped_program(const std::string & name);
+
+/// Makes the folder of the results and removes what an earlier climb left of its state.
+void start_afresh(const DemoOptions & options);
+
+}  // namespace stetro_bringup
+
+#endif  // DEMO__DEMO_OPTIONS_HPP_

@@ -1,0 +1,54 @@
+// Copyright 2026 The sTetro Authors
+//
+// Licensed under the Apache License, Version 2.0 (the "License");
+// you may not use this file except in compliance with the License.
+// You may obtain a copy of the License at
+//
+//     http://www.apache.org/licenses/LICENSE-2.0
+//
+// Unless required by applicable law or agreed to in writing, software
+// distributed under the License is distributed on an "AS IS" BASIS,
+// WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+// See the License for the specific language governing permissions and
+// limitations under the License.
+#include "stetro_bringup/robot.hpp"
+
+namespace stetro_bringup
+{
+
+RobotConfiguration configure_robot(stetro_dds::Launch & launch)
+{
+  const auto driver = launch.configure<stetro_driver::DriverParams>("driver", "/stetro");
+  const auto setup = stetro_driver::read_setup(driver.params, launch.faults());
+  const auto localizer =
+    launch.configure<stetro_localizer::LocalizerParams>("localizer", "/stetro");
+  const auto supervisor =
+    launch.configure<stetro_supervisor::SupervisorParams>("supervisor", "/stetro");
+  launch.check();
+  return {driver.options, setup.value(), localizer, supervisor};
+}
+
+Robot::Robot(stetro_dds::Context & context, const RobotConfiguration & configuration)
+: driver_(context, configuration.driver_options, configuration.driver),
+  localizer_(context, configuration.localizer.options, configuration.localizer.params),
+  supervisor_(context, configuration.supervisor.options, configuration.supervisor.params)
+{
+  executor_.add(driver_.node());
+  executor_.add(localizer_.node());
+  executor_.add(supervisor_.node());
+  driver_.start();
+}
+
+void Robot::step()
+{
+  driver_.step();
+  executor_.drain();
+}
+
+void Robot::run(const std::function<bool()> & stop)
+{
+  driver_.run(executor_, stop);
+  supervisor_.hold();
+}
+
+}  // namespace stetro_bringup

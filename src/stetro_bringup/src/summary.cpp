@@ -1,0 +1,102 @@
+// Copyright 2026 The sTetro Authors
+//
+// Licensed under the Apache License, Version 2.0 (the "License");
+// you may not use this file except in compliance with the License.
+// You may obtain a copy of the License at
+//
+//     http://www.apache.org/licenses/LICENSE-2.0
+//
+// Unless required by applicable law or agreed to in writing, software
+// distributed under the License is distributed on an "AS IS" BASIS,
+// WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+// See the License for the specific language governing permissions and
+// limitations under the License.
+#include "stetro_bringup/summary.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+namespace stetro_bringup
+{
+namespace
+{
+
+// JSON has no NaN: what is not known is null.
+nlohmann::ordered_json known(double value)
+{
+  return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
+}
+
+}  // namespace
+
+std::string summary_json(const ClimbOutcome & outcome, const ClimbErrors & errors)
+{
+  nlohmann::ordered_json summary;
+  summary["completed"] = outcome.completed;
+  summary["final_step"] = outcome.final_step;
+  summary["integrity"] = outcome.integrity;
+  summary["seed"] = outcome.seed;
+  summary["estimator"] = outcome.estimator;
+  summary["world"] = outcome.world;
+  summary["calibration"] = outcome.calibration;
+  summary["in_process"] = outcome.in_process;
+  summary["y_rmse_m"] = known(errors.y_error_m.rms());
+  summary["y_max_error_m"] = known(errors.y_error_m.max_abs());
+  summary["x_rmse_m"] = known(errors.x_error_m.rms());
+  summary["x_mean_error_m"] = known(errors.x_error_m.mean());
+  summary["heading_rmse_rad"] = known(errors.heading_error_rad.rms());
+  summary["heading_mean_error_rad"] = known(errors.heading_error_rad.mean());
+  summary["closure_error_mean_m"] = known(errors.closure_error_m.mean());
+  summary["closure_error_std_m"] = known(errors.closure_error_m.standard_deviation());
+  summary["estimates_on_wrong_step"] = errors.wrong_step;
+  summary["simulated_time_s"] = known(outcome.simulated_time_s);
+  summary["wall_time_s"] = known(outcome.wall_time_s);
+  summary["faults"] = outcome.faults;
+  return summary.dump(2) + "\n";
+}
+
+void print_summary(std::ostream & out, const ClimbOutcome & outcome, const ClimbErrors & errors)
+{
+  const auto line = [&out](const char * format, double a, double b) {
+    std::array<char, 160> text{};
+    std::snprintf(text.data(), text.size(), format, a, b);
+    out << text.data();
+  };
+  out << (outcome.completed ? "climb completed" : "CLIMB NOT COMPLETED") << ", step "
+      << outcome.final_step << ", integrity " << outcome.integrity << ", estimator "
+      << outcome.estimator << ", seed " << outcome.seed << '\n';
+  line(
+    "  y error       %6.2f cm rms, %.2f cm at most\n", 100.0 * errors.y_error_m.rms(),
+    100.0 * errors.y_error_m.max_abs());
+  line(
+    "  x error       %6.2f cm rms, %.2f cm on average\n", 100.0 * errors.x_error_m.rms(),
+    100.0 * errors.x_error_m.mean());
+  if (outcome.estimator == "paper") {
+    out
+      << "                (the papers report the middle of the tread, S-B eq. (1); the robot "
+         "sweeps\n"
+         "                7.5 cm nearer to the riser, so that offset is theirs by construction)\n";
+  }
+  line(
+    "  heading error %6.2f deg rms, %.2f deg on average\n",
+    180.0 / M_PI * errors.heading_error_rad.rms(), 180.0 / M_PI * errors.heading_error_rad.mean());
+  line(
+    "  closure       %6.2f cm mean, %.2f cm deviation (S-B eq. (3))\n",
+    100.0 * errors.closure_error_m.mean(), 100.0 * errors.closure_error_m.standard_deviation());
+  line(
+    "  time          %6.0f s simulated in %.0f s\n", outcome.simulated_time_s, outcome.wall_time_s);
+  for (const std::string & fault : outcome.faults) {
+    out << "  fault         " << fault << '\n';
+  }
+}
+
+bool succeeded(const ClimbOutcome & outcome, int step_count)
+{
+  return outcome.completed && outcome.final_step == step_count && outcome.integrity == "OK" &&
+         outcome.faults.empty();
+}
+
+}  // namespace stetro_bringup
