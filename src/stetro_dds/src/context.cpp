@@ -15,7 +15,9 @@
 #include "stetro_dds/context.hpp"
 
 #include <arpa/inet.h>
+#include <spdlog/spdlog.h>
 
+#include <array>
 #include <cerrno>
 #include <cstdlib>
 #include <functional>
@@ -23,6 +25,7 @@
 #include <optional>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "participant.hpp"
@@ -105,6 +108,12 @@ std::vector<std::string> static_peers(NetworkScope scope)
   return peers;
 }
 
+std::string_view name_of(RosDistro distro)
+{
+  constexpr std::array<std::string_view, 3> kNames{"humble", "iron", "jazzy"};
+  return kNames.at(static_cast<std::size_t>(distro));
+}
+
 }  // namespace
 
 ContextOptions ContextOptions::from_environment()
@@ -120,6 +129,10 @@ ContextOptions ContextOptions::from_environment()
 Context::Context(const ContextOptions & options)
 : options_(options), participant_(std::make_unique<Participant>(options_))
 {
+  spdlog::info(
+    "domain {}, {}, ROS 2 {}", options_.domain_id,
+    options_.scope == NetworkScope::kLocalhost ? "this computer only" : "the subnet",
+    name_of(options_.distro));
 }
 
 Context::~Context() = default;

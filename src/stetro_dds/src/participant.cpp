@@ -155,15 +155,28 @@ void Participant::note_match_change()
 {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
+    ++match_changes_;
   }
   match_changed_.notify_all();
 }
 
+// The condition is asked without the lock: it may ask the middleware, whose threads come here.
 bool Participant::wait_for(
   const std::function<bool()> & condition, std::chrono::nanoseconds timeout)
 {
-  std::unique_lock<std::mutex> lock(mutex_);
-  return match_changed_.wait_for(lock, timeout, condition);
+  const auto deadline = std::chrono::steady_clock::now() + timeout;
+  while (true) {
+    std::unique_lock<std::mutex> lock(mutex_);
+    const auto changes = match_changes_;
+    lock.unlock();
+    if (condition()) {
+      return true;
+    }
+    lock.lock();
+    if (!match_changed_.wait_until(lock, deadline, [&] { return match_changes_ != changes; })) {
+      return false;
+    }
+  }
 }
 
 }  // namespace stetro_dds

@@ -17,6 +17,7 @@
 
 #include <chrono>
 #include <condition_variable>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -70,6 +71,7 @@ private:
   std::mutex topics_;
   std::mutex mutex_;
   std::condition_variable match_changed_;
+  std::uint64_t match_changes_ = 0;
 };
 
 }  // namespace stetro_dds

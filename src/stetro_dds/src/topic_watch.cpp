@@ -29,6 +29,8 @@ namespace
 using Role = PeerEndpoint::Role;
 constexpr auto kPatience = std::chrono::seconds(5);  // discovery takes some 10 ms
 
+constexpr std::size_t kMostTold = 200;  // lines about one topic; diagnostics goes on
+
 Role other(Role role) { return role == Role::kWriter ? Role::kReader : Role::kWriter; }
 
 std::uint64_t troubles_of(const SubscriptionCounts & counts)
@@ -109,7 +111,7 @@ void Node::TopicWatch::find_mismatches(const Endpoint & endpoint, Role role, See
     }
     const std::string text = to_string(peer.guid) + ": " + *why;
     seen.mismatches.push_back(text);
-    if (seen.told.insert(text).second) {
+    if (seen.told.size() < kMostTold && seen.told.insert(text).second) {
       node_.log_->warn("{} cannot match peer {}", endpoint.topic(), text);
     }
   }
