@@ -29,6 +29,7 @@ set output folder.'/ranges.svg'
 set title 'What the side sensors said'
 set xlabel 'time [min]'
 set ylabel 'range [m]'
+set xrange [0:*]
 set yrange [0:2.2]
 plot trace using (minutes(column("stamp_ns"))):"side_left_m" with dots lc rgb '#1f77b4' notitle, \
      trace using (minutes(column("stamp_ns"))):"side_right_m" with dots lc rgb '#d62728' notitle, \
@@ -37,7 +38,8 @@ plot trace using (minutes(column("stamp_ns"))):"side_left_m" with dots lc rgb '#
      1.2 with lines dt 2 lc rgb '#555555' title 'reliable to 1.2 m'
 
 set output folder.'/path_2d.svg'
-set title 'The path from above: each tread from wall to wall'
+set title 'The path from above: each tread from wall to wall (papers: x is the middle of the tread)'
+set xrange [*:*]
 set xlabel 'x, up the stairs [m]'
 set ylabel 'y, from the right wall [m]'
 set yrange [0:*]
@@ -59,6 +61,7 @@ set output folder.'/heading.svg'
 set title 'Heading, counter-clockwise from straight up the stairs'
 set xlabel 'time [min]'
 set ylabel 'heading [deg]'
+set xrange [0:*]
 set yrange [*:*]
 plot trace using (minutes(column("stamp_ns"))):(column("heading_rad") * deg) with lines lc rgb '#1f77b4' title 'estimated', \
      trace using (minutes(column("stamp_ns"))):(column("true_heading_rad") * deg) with lines lw 2 lc rgb '#ff7f0e' title 'true', \

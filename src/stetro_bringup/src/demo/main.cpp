@@ -11,6 +11,7 @@
 // WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
 // See the License for the specific language governing permissions and
 // limitations under the License.
+#include <spdlog/spdlog.h>
 #include <unistd.h>
 
 #include <cstdlib>
@@ -51,7 +52,7 @@ int climb_in_process(
   const stetro_dds::Launch & interruptible)
 {
   stetro_dds::RosArguments arguments;
-  arguments.log_level = "warn";
+  spdlog::set_level(spdlog::level::err);  // the progress line is told enough
   for (const Component & component : components(options)) {
     for (const auto & [name, value] : component.settings) {
       arguments.overrides.push_back({component.node, name, value});
