@@ -50,8 +50,12 @@ TEST_P(DriverLost, WorldResumesStandingAndWaitsToBeAsked)
 
   const std::size_t first_after = run_.truth.count() - 1;
   ASSERT_TRUE(let_pass(run_, 4s));
-  EXPECT_EQ(last_motion(run_.truth.samples(first_after)).count(), 0)
-    << "nothing may move before it is asked to";
+  const Truths waiting = run_.truth.samples(first_after);
+  EXPECT_EQ(last_motion(waiting).count(), 0)
+    << "nothing may move before it is asked to, but from " << to_string(waiting.front().message)
+    << " at " << stamp_of(waiting.front().message).count() << " ns it came to "
+    << to_string(waiting.back().message) << "\n"
+    << run_.stack.tails();
 
   ASSERT_EQ(run_.operators.resume(kPatience), "") << run_.stack.tails();
   EXPECT_EQ(wait_moment(run_, {"sweep_left", GetParam().step + 1}), "");
