@@ -34,6 +34,9 @@ using stetro_dds::Clock;
 using stetro_dds::LifecycleTransition;
 
 constexpr Time kLongestNap = std::chrono::milliseconds{20};  // between looks at `stop`
+/// A driver that took a world over in mid-climb moves nothing for so long: whoever commanded the one
+/// before it has then seen that this is another one, and does not go on as if nothing had been.
+constexpr Time kStandFirst = std::chrono::milliseconds{300};
 constexpr double kBearingLoad = 0.05;  // a block with this share of the weight stands
 
 stetro_dds::NodeOptions by_hand(stetro_dds::NodeOptions options)
@@ -82,6 +85,9 @@ public:
     topics_.publish_static(robot_.time());
     if (!robot_.resume_detail().empty()) {
       node_.log().info("snapshot: {}", robot_.resume_detail());
+    }
+    if (robot_.resume_outcome() == ResumeOutcome::kResumed) {
+      may_act_from_ = robot_.time() + kStandFirst;
     }
     if (start_active_) {
       if (const auto refusal = node_.lifecycle().request(LifecycleTransition::kActivate)) {
@@ -148,7 +154,7 @@ private:
   GateSituation situation() const
   {
     GateSituation situation;
-    situation.active = node_.lifecycle().active();
+    situation.active = node_.lifecycle().active() && robot_.time() >= may_act_from_;
     situation.emergency_stop = frame_.contact(ContactPlace::kEmergencyStop).closed;
     situation.steering_rad = frame_.steering.angle_rad;
     situation.steering_moving = frame_.steering.moving;
@@ -183,6 +189,7 @@ private:
   CommandDesk desk_;
   SensorFrame frame_{};
   bool paced_ = false;
+  Time may_act_from_{0};  ///< robot time before which no command acts
   std::string last_fault_;
   std::uint64_t io_faults_ = 0;
 };
