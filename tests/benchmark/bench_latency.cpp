@@ -23,6 +23,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "CLI/CLI.hpp"
@@ -69,7 +70,11 @@ json collect(Sink & sink, std::size_t samples)
 {
   const std::size_t wanted = samples + Sink::kWarmUp;
   const auto enough = [&] { return sink.robot_count() >= wanted && sink.bare_count() >= wanted; };
-  const bool heard = poll_until(enough, std::chrono::milliseconds(wanted * 34 * 3 / 2) + 20s);
+  const stetro_tests::Deadline deadline{std::chrono::milliseconds(wanted * 34 * 3 / 2) + 20s};
+  while (!enough() && !deadline.passed()) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));  // seldom: it shares the cores
+  }
+  const bool heard = enough();
   sink.stop();
   if (!heard) {
     throw std::runtime_error(
