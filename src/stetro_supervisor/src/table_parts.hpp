@@ -61,15 +61,18 @@ inline MotionCommand roll_towards(const Situation & s, double gap_m)
 
 /// A lowered block has met its tread (D3-2, D3-3, D3-7).
 /**
- * The range below it says so and the load confirms; or the block, though told to go on, has been
- * at rest close above the tread for long: that holds with a biased range or a dead load cell.
+ * It bears load, where load is known, and the range below it says so; or, though told to go on, it
+ * has been at rest close above the tread for long, which holds with a biased range. A block known
+ * to bear nothing hangs, however long it has been at rest: the others would carry the robot alone.
  */
 inline bool touched_down(const Situation & s, int block, Place below)
 {
   const auto gap = s.gap_m(below);
-  const bool confirmed = gap && *gap <= s.params.touch_down_gap_m && s.stands(block);
-  return confirmed || (gap && s.stalled() && !s.block(block).moving);
+  return gap && (*gap <= s.params.touch_down_gap_m || s.stalled()) && s.stands(block);
 }
+
+/// Every block bears load, where load is known: any one of them may be lifted.
+inline bool all_stand(const Situation & s) { return s.stands(1) && s.stands(2) && s.stands(3); }
 
 }  // namespace stetro_supervisor
 

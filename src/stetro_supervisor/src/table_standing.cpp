@@ -41,11 +41,27 @@ template <State state>
 Exit rejoin_exit(const char * when)
 {
   return {when, rejoins_at<state>, state, Fault::kNone, [](const Situation &, Memory & memory) {
-            memory.realigns = 0;
-            memory.relifts = 0;
             memory.leg_mark = memory.path;
           }};
 }
+
+/// An operator has looked: what was tried before counts no more. A pose that comes back by itself
+/// is no such look, or a flickering one would evade every limit on retries.
+void forget_tries(const Situation &, Memory & memory)
+{
+  memory.realigns = 0;
+  memory.relifts = 0;
+  memory.rejoins = 0;
+}
+
+bool pose_is_back(const Situation & s) { return s.pose_settled(); }
+
+bool pose_flickers(const Situation & s)
+{
+  return pose_is_back(s) && s.memory.rejoins >= s.params.max_rejoins;
+}
+
+void count_rejoin(const Situation &, Memory & memory) { ++memory.rejoins; }
 
 /// Where the robot stands still and nothing is under way.
 Row resting(State state, const char * entry, std::vector<Exit> exits)
@@ -84,8 +100,9 @@ Row rejoin_row()
 
 std::vector<Row> standing_rows()
 {
-  const Exit start{"start asked", asked<Asked::kStart>, State::kRejoin};
-  const Exit resume{"resume asked", asked<Asked::kResume>, State::kRejoin};
+  const Exit start{"start asked", asked<Asked::kStart>, State::kRejoin, Fault::kNone, forget_tries};
+  const Exit resume{
+    "resume asked", asked<Asked::kResume>, State::kRejoin, Fault::kNone, forget_tries};
   std::vector<Row> rows;
   rows.push_back(resting(State::kIdle, "no mission", {start}));
   rows.push_back(rejoin_row());
@@ -97,8 +114,8 @@ std::vector<Row> standing_rows()
      stay,
      &ClimbParams::pose_limit_s,
      Fault::kPoseLost,
-     {{"the pose is sound again", [](const Situation & s) { return s.pose_settled(); },
-       State::kRejoin}},
+     {{"the pose was lost too often on this step", pose_flickers, State::kFault, Fault::kPoseLost},
+      {"the pose is sound again", pose_is_back, State::kRejoin, Fault::kNone, count_rejoin}},
      true,
      false});
   rows.push_back(waiting(State::kPaused, "pause asked", {resume}));

@@ -21,7 +21,7 @@ namespace
 {
 
 constexpr double kSettle_s = 0.5;    // a block that was just told to move may still be at rest
-constexpr double kRecount = 0.5;     // share of the confirmation limit before a second try
+constexpr double kRecount = 0.5;     // share of a state's limit before it gives up waiting
 constexpr double kFreeFactor = 2.0;  // a riser is believed missing later than a landing free
 
 /// Where a riser must be ahead, a healthy stair_front sees nothing: the step count is wrong (D3-8).
@@ -56,7 +56,7 @@ bool level_with_block1(const Situation & s)
 bool on_old_tread(const Situation & s)
 {
   const bool low = s.height_m(2) - s.height_m(3) <= s.params.height_tolerance_m;
-  return s.in_state_s() > kSettle_s && low && s.stands(2);
+  return s.in_state_s() > kSettle_s && low && all_stand(s);
 }
 
 bool may_lift_again(const Situation & s) { return s.memory.relifts < s.params.max_relifts; }
@@ -67,7 +67,15 @@ bool counted(const Situation & s) { return s.pose_usable() && s.seen.pose->step 
 
 bool not_counted(const Situation & s)
 {
-  return may_lift_again(s) && s.in_state_s() > kRecount * s.params.confirm_limit_s;
+  return may_lift_again(s) && s.stands(1) && s.stands(3) &&
+         s.in_state_s() > kRecount * s.params.confirm_limit_s;
+}
+
+bool ready_to_lift(const Situation & s) { return is_along(s) && all_stand(s); }
+
+bool block_hangs(const Situation & s)
+{
+  return is_along(s) && !all_stand(s) && s.in_state_s() > kRecount * s.params.steer_limit_s;
 }
 
 void count_relift(const Situation &, Memory & memory) { ++memory.relifts; }
@@ -82,6 +90,7 @@ void take_step(const Situation &, Memory & memory)
   memory.trims = 0;
   memory.realigns = 0;
   memory.relifts = 0;
+  memory.rejoins = 0;
 }
 
 Row lower_block2()
@@ -135,7 +144,8 @@ std::vector<Row> step_rows()
      steer_along,
      &ClimbParams::steer_limit_s,
      Fault::kSteerTimeout,
-     {{"wheels along", is_along, State::kLiftBlock2}}});
+     {{"wheels along, every block bears", ready_to_lift, State::kLiftBlock2},
+      {"a block bears nothing", block_hangs, State::kFault, Fault::kTouchDownUnconfirmed}}});
   rows.push_back(
     {State::kLiftBlock2,
      "square, wheels along",

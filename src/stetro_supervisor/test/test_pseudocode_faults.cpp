@@ -134,6 +134,33 @@ TEST_F(PseudocodeFaults, D3_7_ARangeAloneDoesNotConfirmATouchDown)
   EXPECT_TRUE(run_to_state(climb, robot, State::kLowerBlock3, 10.0)) << where(climb, robot);
 }
 
+TEST_F(PseudocodeFaults, D3_7_ABlock1ThatBearsNothingIsNotDownHoweverLongItRests)
+{
+  run_to(State::kLowerBlock1, 1);
+  robot.meddle = [](Observation & o) { o.blocks->block[0].load = 0.0; };
+  EXPECT_FALSE(run_to_state(climb, robot, State::kLowerBlock3, 3.0 * climb.params().stall_s))
+    << "at rest close above the tread, but block 2 carries the robot alone";
+  expect_fault(Fault::kTouchDownUnconfirmed);
+}
+
+TEST_F(PseudocodeFaults, D3_7_ABlock1OfUnknownLoadIsDownWhenItRests)
+{
+  run_to(State::kLowerBlock1, 1);
+  robot.meddle = [](Observation & o) {
+    o.blocks->block[0].load = kNan;
+    set(o, Place::kBlock1Down, RangeStatus::kValid, 0.035 + 0.015);  // biased by 1.5 cm
+  };
+  EXPECT_TRUE(run_to_state(climb, robot, State::kLowerBlock3, 8.0)) << where(climb, robot);
+}
+
+TEST_F(PseudocodeFaults, D3_7_Block2IsNotLiftedWhileAnotherBlockBearsNothing)
+{
+  run_to(State::kSquare, 1);
+  robot.meddle = [](Observation & o) { o.blocks->block[0].load = 0.0; };
+  EXPECT_FALSE(run_to_state(climb, robot, State::kLiftBlock2, 20.0)) << "block 3 stood alone then";
+  EXPECT_EQ(climb.fault(), Fault::kTouchDownUnconfirmed) << where(climb, robot);
+}
+
 TEST_F(PseudocodeFaults, D3_8_AFreeFrontBelowTheTopIsNotTheEnd)
 {
   run_to(State::kSweepToMiddle, 1);

@@ -13,11 +13,11 @@
 // limitations under the License.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <set>
 #include <string>
 
 #include "stetro_supervisor/transition_table.hpp"
+#include "support/toy_robot.hpp"
 
 namespace stetro_supervisor
 {
@@ -26,13 +26,15 @@ namespace
 
 const std::set<State> kResting{State::kIdle, State::kFault, State::kAborted, State::kFinished};
 
+/// By the row alone, and by its limit: what all states share would reach everything from anywhere.
 std::set<State> next_of(const Row & row)
 {
   std::set<State> next;
-  for (const auto * exits : {&common_exits(), &row.exits}) {
-    for (const Exit & exit : *exits) {
-      next.insert(exit.to);
-    }
+  for (const Exit & exit : row.exits) {
+    next.insert(exit.to);
+  }
+  if (row.limit_s != nullptr) {
+    next.insert(State::kFault);
   }
   return next;
 }
@@ -77,23 +79,99 @@ TEST(TransitionTable, EveryStateHasATimeLimitAndAFaultExit)  // D3-10
   }
 }
 
-TEST(TransitionTable, EveryStateLeadsToFaultAndEveryWorkingOneToHeld)
+class CommonExits : public testing::TestWithParam<int>
 {
-  const auto leads = [](State to) {
-    return std::any_of(
-      common_exits().begin(), common_exits().end(), [to](const Exit & e) { return e.to == to; });
-  };
-  EXPECT_TRUE(leads(State::kFault));
-  EXPECT_TRUE(leads(State::kHeld));
-  EXPECT_TRUE(leads(State::kWaitPose));
-  EXPECT_TRUE(leads(State::kPaused));
-  EXPECT_TRUE(leads(State::kAborted));
+protected:
+  CommonExits()
+  {
+    memory.record.active = true;
+    memory.record.step = 1;
+    seen = robot.look();
+    seen.pose->step = 1;
+  }
+
+  /// Where the exits that all states share lead from this one; itself if none is open.
+  State leads_to() const
+  {
+    const Situation s{params, geometry, seen, memory, state, robot.now, robot.now};
+    for (const Exit & exit : common_exits()) {
+      if (exit.guard(s)) {
+        return exit.to;
+      }
+    }
+    return state;
+  }
+
+  const State state = static_cast<State>(GetParam());
+  const bool works = row_of(state).works;
+  const bool waits = row_of(state).needs_pose && works && state != State::kRejoin;
+  const ClimbParams params;
+  const ClimbGeometry geometry = stairs(3);
+  const ToyRobot robot{geometry};
+  Memory memory;
+  Observation seen;
+};
+
+TEST_P(CommonExits, AreShutWhenNothingIsWrong) { EXPECT_EQ(leads_to(), state); }
+
+TEST_P(CommonExits, EmergencyStopIsAFaultEverywhere)
+{
+  seen.contacts->emergency_stop.state = ContactState::kClosed;
+  EXPECT_EQ(leads_to(), State::kFault);
 }
+
+TEST_P(CommonExits, ASilentOrRestartedDriverHoldsWhatWorks)
+{
+  const State held = works ? State::kHeld : state;
+  seen.odometry.reset();
+  EXPECT_EQ(leads_to(), held);
+  seen.odometry = robot.look().odometry;
+  memory.driver_changed = true;
+  EXPECT_EQ(leads_to(), state == State::kPaused ? State::kHeld : held);
+}
+
+TEST_P(CommonExits, ABrokenBlockOrSwitchIsAFaultOfWhatWorks)
+{
+  seen.blocks->block[2].fault = true;
+  EXPECT_EQ(leads_to(), works ? State::kFault : state);
+  seen.blocks->block[2].fault = false;
+  seen.contacts->riser_left.state = ContactState::kUnknown;
+  EXPECT_EQ(leads_to(), works ? State::kFault : state);
+}
+
+TEST_P(CommonExits, ALostPoseMakesWhatNeedsItWait)
+{
+  seen.pose->integrity = Integrity::kLost;
+  EXPECT_EQ(leads_to(), waits ? State::kWaitPose : state);
+}
+
+TEST_P(CommonExits, AnotherStepThanTheFeltOneIsAFault)
+{
+  seen.pose->step = 3;
+  EXPECT_EQ(leads_to(), waits ? State::kFault : state);
+}
+
+TEST_P(CommonExits, APauseOrAnAbortIsTaken)
+{
+  memory.asked = Asked::kPause;
+  EXPECT_EQ(leads_to(), works ? State::kPaused : state);
+  memory.asked = Asked::kAbort;
+  EXPECT_EQ(leads_to(), state == State::kFault ? state : State::kAborted);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+  State, CommonExits, testing::Range(0, kStateCount), [](const testing::TestParamInfo<int> & i) {
+    return std::string(to_string(static_cast<State>(i.param)));
+  });
 
 TEST(TransitionTable, HasNoDeadEndAndNoStateThatCannotBeReached)
 {
+  // These three are entered by what all states share; CommonExits looks at that.
+  const std::set<State> asides{State::kWaitPose, State::kPaused, State::kAborted};
   const auto from_idle = reachable_from(State::kIdle);
-  EXPECT_EQ(from_idle.size(), static_cast<std::size_t>(kStateCount));
+  for (const Row & row : transition_table()) {
+    EXPECT_NE(from_idle.count(row.state), asides.count(row.state)) << to_string(row.state);
+  }
   for (const Row & row : transition_table()) {
     EXPECT_FALSE(row.exits.empty()) << to_string(row.state);
     EXPECT_EQ(reachable_from(row.state).count(State::kFinished), 1u) << to_string(row.state);

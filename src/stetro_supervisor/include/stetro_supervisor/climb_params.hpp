@@ -77,6 +77,7 @@ struct ClimbParams
   double driver_silence_s = 0.5;
   double pose_silence_s = 0.5;
   double pose_settle_s = 0.3;
+  std::int64_t max_rejoins = 10;
   double refusal_s = 0.5;
   // time limits of the states
   double steer_limit_s = 5.0;
@@ -198,6 +199,9 @@ void visit(ClimbParams & p, Visitor && each)
   each(
     "silence.pose_settle_s", p.pose_settle_s, Within{0.0, 10.0},
     "time the pose must be sound before the robot goes on [s]");
+  each(
+    "silence.max_rejoins", p.max_rejoins, Within{0, 1000},
+    "times on one step that the robot goes on by itself after waiting for the pose");
   each(
     "silence.refusal_s", p.refusal_s, Within{0.1, 10.0},
     "time of commands being refused that is a fault [s]");

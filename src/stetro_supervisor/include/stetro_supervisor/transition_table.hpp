@@ -30,6 +30,7 @@ namespace stetro_supervisor
  *
  *   Idle, Aborted, Finished --(start)--> Rejoin
  *   Held, Paused            --(resume)--> Rejoin      WaitPose --(pose sound again)--> Rejoin
+ *   WaitPose                --(sound again, but lost too often on this step)--> Fault
  *   Rejoin --(posture, step and mission agree)--> the state to go on from, see `rejoin.hpp`
  *
  *   to the first riser (D3-9)
@@ -55,7 +56,8 @@ namespace stetro_supervisor
  *   TrimAlong       roll         --> SteerAcross; a riser switch closes: BackOff
  *   CheckTop        --(k = N and stair_front healthy and free, D3-8)--> Finished
  *   block 2 climbs
- *   Square          turn            --(square, pose sound)--> SteerAlong --> LiftBlock2
+ *   Square          turn            --(square, pose sound)--> SteerAlong
+ *   SteerAlong      wheels along    --(every block bears)--> LiftBlock2
  *   LiftBlock2      --(upper lock)--> RollBlock3ToRiser --(block 3 at the riser)--> LowerBlock2
  *   LowerBlock2     --(level with block 1)--> ConfirmStep   --(on the old tread)--> LiftBlock2
  *   ConfirmStep     --(localizer counts k + 1)--> LiftBlock3   --(not yet: again)--> LiftBlock2
