@@ -24,6 +24,13 @@ namespace
 
 constexpr std::size_t kAnswersKept = 256;
 
+constexpr char kIdReused[] = "request_id was used for another request";
+
+bool same_matter(const MissionRequest & a, const MissionRequest & b)
+{
+  return a.kind == b.kind && a.segment_id == b.segment_id;
+}
+
 bool is_free(State state)
 {
   return state == State::kIdle || state == State::kAborted || state == State::kFinished;
@@ -57,31 +64,57 @@ MissionState mission_state(const Climb & climb)
 
 }  // namespace
 
+const Mission::Answered * Mission::find(const MissionRequest & request) const
+{
+  const auto found = std::find_if(answered_.begin(), answered_.end(), [&](const Answered & a) {
+    return a.request.request_id == request.request_id && a.request.issuer == request.issuer;
+  });
+  return found != answered_.end() ? &*found : nullptr;
+}
+
+bool Mission::knows(const MissionRequest & request) const
+{
+  const Answered * known = find(request);
+  return known != nullptr && same_matter(known->request, request);
+}
+
 MissionAnswer Mission::request(const MissionRequest & request)
 {
-  const auto known = std::find_if(answers_.begin(), answers_.end(), [&](const MissionAnswer & a) {
-    return a.request_id == request.request_id && a.issuer == request.issuer;
-  });
-  if (known != answers_.end()) {
-    return *known;
+  MissionAnswer refused{request.request_id, request.issuer, false, ""};
+  if (request.request_id.empty() || request.issuer.empty()) {
+    refused.reason = "request_id or issuer is empty, accepted: both given";
+    return refused;
   }
+  const Answered * known = find(request);
+  if (known == nullptr) {
+    return answer_new(request);
+  }
+  if (!same_matter(known->request, request)) {
+    refused.reason = kIdReused;
+    return refused;
+  }
+  return known->answer;
+}
+
+MissionAnswer Mission::answer_new(const MissionRequest & request)
+{
   MissionAnswer answer{request.request_id, request.issuer, false, refusal(request)};
   answer.accepted = answer.reason.empty();
-  answers_.push_back(answer);
-  if (answers_.size() > kAnswersKept) {
-    answers_.pop_front();
+  answered_.push_back({request, answer});
+  if (answered_.size() > kAnswersKept) {
+    answered_.pop_front();
   }
   return answer;
 }
 
 std::string Mission::refusal(const MissionRequest & request)
 {
-  if (request.request_id.empty() || request.issuer.empty()) {
-    return "request_id or issuer is empty, accepted: both given";
-  }
   const MissionRecord & record = climb_.record();
   if (record.active && record.request_id == request.request_id && record.issuer == request.issuer) {
-    return "";  // the request that started this mission, before a restart
+    // the id of the request that started this mission, before a restart
+    const MissionRequest start{
+      record.request_id, record.issuer, RequestKind::kCleanFlight, record.segment_id};
+    return same_matter(start, request) ? "" : kIdReused;
   }
   if (climb_.is_asked()) {
     return "another request is being taken up, ask again";

@@ -209,6 +209,54 @@ TEST_F(MissionTest, ADuplicateGetsTheSameAnswerAndChangesNothing)
   EXPECT_EQ(mission.request(pause).request_id, "p");
 }
 
+TEST_F(MissionTest, AnIdUsedForAnotherRequestIsRefused)
+{
+  start();
+  ASSERT_TRUE(run_to_state(climb, robot, State::kSweepLeft)) << where(climb, robot);
+  const MissionRequest started{"r1", "test", RequestKind::kCleanFlight, "flight"};
+  EXPECT_TRUE(mission.request(started).accepted);
+  for (const RequestKind kind : {RequestKind::kPause, RequestKind::kAbort}) {
+    const auto answer = mission.request({"r1", "test", kind, ""});
+    EXPECT_FALSE(answer.accepted) << "or the operator believes that the robot stops";
+    EXPECT_EQ(answer.reason, "request_id was used for another request");
+  }
+  EXPECT_FALSE(mission.request({"r1", "test", RequestKind::kCleanFlight, "attic"}).accepted);
+  EXPECT_TRUE(mission.request({"r1", "other", RequestKind::kPause, ""}).accepted) << "its own id";
+}
+
+TEST_F(MissionTest, TheIdOfAMissionFromBeforeARestartIsNotThatOfAPause)
+{
+  start();
+  ASSERT_TRUE(run_to_state(climb, robot, State::kSweepLeft)) << where(climb, robot);
+  Mission restarted{climb};
+  EXPECT_FALSE(restarted.request({"r1", "test", RequestKind::kPause, ""}).accepted);
+  Mission again{climb};
+  EXPECT_TRUE(again.request({"r1", "test", RequestKind::kCleanFlight, "flight"}).accepted);
+}
+
+TEST_F(MissionTest, APoseThatFlickersDoesNotEvadeTheLimits)
+{
+  start();
+  ASSERT_TRUE(run_to_state(climb, robot, State::kSweepLeft)) << where(climb, robot);
+  const Integrity lost = Integrity::kLost;
+  int times = 0;
+  const auto flickers = [&] {
+    robot.meddle = [lost](Observation & o) { o.pose->integrity = lost; };
+    run_to_state(climb, robot, State::kWaitPose, 1.0);
+    robot.meddle = nullptr;
+    ++times;
+    const auto leaves = [&] {
+      return climb.state() != State::kWaitPose && climb.state() != State::kRejoin;
+    };
+    run_until(climb, robot, 5.0, leaves);
+    return climb.state() != State::kFault;
+  };
+  while (times < 50 && flickers()) {
+  }
+  EXPECT_EQ(times, climb.params().max_rejoins + 1);
+  EXPECT_EQ(climb.fault(), Fault::kPoseLost) << where(climb, robot);
+}
+
 TEST_F(MissionTest, RefusesASecondMissionAndGoingDown)
 {
   start();

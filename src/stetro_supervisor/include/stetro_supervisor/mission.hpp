@@ -37,8 +37,8 @@ enum class RequestKind : std::uint8_t {
 
 struct MissionRequest
 {
-  std::string request_id;  ///< unique per issuer: the same id twice is one request
-  std::string issuer;
+  std::string request_id;  ///< unique per issuer, not empty: the same id twice is one request
+  std::string issuer;      ///< not empty
   RequestKind kind = RequestKind::kUnknown;
   std::string segment_id;  ///< for kCleanFlight
 };
@@ -88,11 +88,26 @@ public:
   explicit Mission(Climb & climb) : climb_(climb) {}
 
   /// Accepts or refuses; a request seen before gets the answer it got then and changes nothing.
+  /**
+   * Seen before means: the same id of the same issuer, for the same kind and segment. An id that
+   * was used for another kind or segment is refused, for the two cannot be told apart in an answer.
+   */
   MissionAnswer request(const MissionRequest & request);
+
+  /// Whether a request has been answered before and would only get that answer again.
+  bool knows(const MissionRequest & request) const;
 
   MissionStatus status() const;
 
 private:
+  struct Answered
+  {
+    MissionRequest request;
+    MissionAnswer answer;
+  };
+
+  const Answered * find(const MissionRequest & request) const;
+  MissionAnswer answer_new(const MissionRequest & request);
   std::string refusal(const MissionRequest & request);
   std::string refuse_clean(const MissionRequest & request);
   std::string refuse_pause() const;
@@ -101,7 +116,7 @@ private:
   std::string refuse_clear() const;
 
   Climb & climb_;
-  std::deque<MissionAnswer> answers_;  // the last ones, for duplicates
+  std::deque<Answered> answered_;  // the last ones, for duplicates
 };
 
 }  // namespace stetro_supervisor
