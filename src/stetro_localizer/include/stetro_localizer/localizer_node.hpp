@@ -20,6 +20,7 @@
 #include "stetro_dds/context.hpp"
 #include "stetro_dds/node.hpp"
 #include "stetro_localizer/estimator.hpp"
+#include "stetro_localizer/localizer_setup.hpp"
 #include "stetro_localizer/params.hpp"
 
 namespace stetro_localizer
@@ -28,7 +29,8 @@ namespace stetro_localizer
 /// The localizer in the graph: reads the robot's sensors, publishes where it is and how sure.
 /**
  * Subscribes odom, imu/data, contacts, blocks, ranges, initialpose and pose_correction; publishes
- * pose (frame `map`), stair_pose, innovations, /tf (map -> odom) and /diagnostics. It answers each
+ * pose (frame `map`), stair_pose, innovations, /tf (map -> odom), /tf_static (map -> each flight of
+ * the site, once) and /diagnostics. It answers each
  * array of ranges at once; with the ranges silent it publishes a prediction ten times a second. A
  * pose of which a number is unknown is not published as `pose` nor in /tf, only in stair_pose.
  *
@@ -40,8 +42,11 @@ namespace stetro_localizer
 class LocalizerNode
 {
 public:
-  /// \throws stetro_config::ConfigError with every fault of the site and robot files, of their fit,
-  ///   or if the flight is unknown
+  LocalizerNode(
+    stetro_dds::Context & context, const stetro_dds::NodeOptions & options,
+    const LocalizerSetup & setup);
+
+  /// Reads the setup first. \throws stetro_config::ConfigError with every fault of it
   LocalizerNode(
     stetro_dds::Context & context, const stetro_dds::NodeOptions & options,
     const LocalizerParams & params);

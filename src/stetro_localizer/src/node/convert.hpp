@@ -32,6 +32,7 @@
 #include "stetro_msgs/StairPose.hpp"
 #include "stetro_msgs/TFMessage.hpp"
 #include "stetro_site/flight.hpp"
+#include "stetro_site/site.hpp"
 
 /// \file
 /// The only place that knows both the messages and the types of the core.
@@ -90,6 +91,10 @@ void fill(
   tf2_msgs::msg::TFMessage & message, const StairEstimate & estimate,
   const stetro_site::Flight & flight, const stetro_site::Pose & odom);
 ///@}
+
+/// map -> the frame of every flight of the site, in one message: /tf_static keeps only the last.
+[[nodiscard]] tf2_msgs::msg::TFMessage to_static_transforms(
+  Nanoseconds now, const stetro_site::Site & site);
 
 }  // namespace stetro_localizer
 

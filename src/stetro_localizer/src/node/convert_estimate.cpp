@@ -183,4 +183,21 @@ void fill(
   to.rotation(turned(yaw_rad));
 }
 
+tf2_msgs::msg::TFMessage to_static_transforms(Nanoseconds now, const stetro_site::Site & site)
+{
+  tf2_msgs::msg::TFMessage message;
+  for (const stetro_site::Flight & flight : site.flights()) {
+    const stetro_site::Pose & pose = flight.spec().pose_in_map;
+    geometry_msgs::msg::TransformStamped transform;
+    fill_header(transform.header(), now, "map");
+    transform.child_frame_id(flight.id());
+    transform.transform().translation().x(pose.x_m);
+    transform.transform().translation().y(pose.y_m);
+    transform.transform().translation().z(pose.z_m);
+    transform.transform().rotation(turned(pose.yaw_rad));
+    message.transforms().push_back(transform);
+  }
+  return message;
+}
+
 }  // namespace stetro_localizer

@@ -19,9 +19,6 @@
 
 #include "node/localizer_parts.hpp"
 #include "stetro_config/fault.hpp"
-#include "stetro_site/fit.hpp"
-#include "stetro_site/robot.hpp"
-#include "stetro_site/site.hpp"
 
 namespace stetro_localizer
 {
@@ -42,44 +39,32 @@ Nanoseconds nanoseconds(double duration_s)
   return std::chrono::duration_cast<Nanoseconds>(std::chrono::duration<double>(duration_s));
 }
 
-stetro_site::Flight chosen_flight(
-  const std::string & id, const std::optional<stetro_site::Site> & site,
-  stetro_config::Faults & faults)
+LocalizerSetup setup_of(const LocalizerParams & params)
 {
-  if (site) {
-    if (id.empty() && site->flights().size() == 1) {
-      return site->flights().front();
-    }
-    if (const auto * flight = site->find_flight(id)) {
-      return *flight;
-    }
-    std::string known;
-    for (const auto & flight : site->flights()) {
-      known += (known.empty() ? "" : ", ") + flight.id();
-    }
-    faults.refuse("flight", id, "the id of a flight of the site: " + known);
-  }
+  stetro_config::Faults faults;
+  auto setup = read_setup(params, faults);
   faults.throw_if_any();
-  throw std::logic_error("no flight and no fault");
+  return std::move(setup).value();
 }
 
 }  // namespace
 
 LocalizerNode::Parts::Parts(
   stetro_dds::Context & context, const stetro_dds::NodeOptions & options,
-  const LocalizerParams & params, const stetro_site::Flight & flight,
-  const stetro_site::RobotGeometry & robot)
-: params_(params),
-  flight_(flight),
+  const LocalizerSetup & setup)
+: params_(setup.params),
+  flight_(setup.flight),
   node_(context, options),
-  estimator_(make_estimator(params, robot, flight)),
-  state_file_(params.state_file),
+  estimator_(make_estimator(params_, setup.robot, flight_)),
+  state_file_(params_.state_file),
   pose_(node_.advertise<geometry_msgs::msg::PoseWithCovarianceStamped>("pose", qos::kPose)),
   stair_pose_(node_.advertise<stetro_msgs::msg::StairPose>("stair_pose", qos::kLatched)),
   innovations_(node_.advertise<stetro_msgs::msg::Innovations>("innovations", qos::kSensor)),
-  tf_(node_.advertise<tf2_msgs::msg::TFMessage>("/tf", qos::kTf))
+  tf_(node_.advertise<tf2_msgs::msg::TFMessage>("/tf", qos::kTf)),
+  static_tf_(node_.advertise<tf2_msgs::msg::TFMessage>("/tf_static", qos::kTfStatic))
 {
   read_state();
+  static_tf_.publish(to_static_transforms(node_.clock().now(), setup.site));
   open_sensors();
   open_corrections();
   node_.create_timer(kTick, [this](Nanoseconds now) { tick(now); });
@@ -269,19 +254,16 @@ void LocalizerNode::Parts::store()
 
 LocalizerNode::LocalizerNode(
   stetro_dds::Context & context, const stetro_dds::NodeOptions & options,
-  const LocalizerParams & params)
+  const LocalizerSetup & setup)
+: parts_(std::make_unique<Parts>(context, options, setup))
 {
-  stetro_config::Faults faults;
-  const auto site = stetro_site::read_site(params.site_file, faults);
-  const auto robot = stetro_site::read_robot(params.robot_file, faults);
-  if (site && robot) {
-    for (const auto & fault : stetro_site::check_fit(*site, robot->geometry)) {
-      faults.add(fault);
-    }
-  }
-  const auto flight = chosen_flight(params.flight, site, faults);
-  faults.throw_if_any();
-  parts_ = std::make_unique<Parts>(context, options, params, flight, robot->geometry);
+}
+
+LocalizerNode::LocalizerNode(
+  stetro_dds::Context & context, const stetro_dds::NodeOptions & options,
+  const LocalizerParams & params)
+: LocalizerNode(context, options, setup_of(params))
+{
 }
 
 LocalizerNode::~LocalizerNode() = default;

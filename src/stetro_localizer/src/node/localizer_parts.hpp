@@ -36,8 +36,7 @@ class LocalizerNode::Parts
 public:
   Parts(
     stetro_dds::Context & context, const stetro_dds::NodeOptions & options,
-    const LocalizerParams & params, const stetro_site::Flight & flight,
-    const stetro_site::RobotGeometry & robot);
+    const LocalizerSetup & setup);
 
 private:
   friend class LocalizerNode;
@@ -77,6 +76,7 @@ private:
   stetro_dds::Publisher<stetro_msgs::msg::StairPose> & stair_pose_;
   stetro_dds::Publisher<stetro_msgs::msg::Innovations> & innovations_;
   stetro_dds::Publisher<tf2_msgs::msg::TFMessage> & tf_;
+  stetro_dds::Publisher<tf2_msgs::msg::TFMessage> & static_tf_;
   geometry_msgs::msg::PoseWithCovarianceStamped pose_message_;
   stetro_msgs::msg::StairPose stair_pose_message_;
   stetro_msgs::msg::Innovations innovations_message_;

@@ -25,8 +25,10 @@ int main(int argc, char ** argv)
     {"stetro_localizer", "Says where the robot is on its flight of stairs, and how sure it is."},
     [](stetro_dds::Launch & launch) {
       const auto localizer = launch.configure<LocalizerParams>("localizer", "/stetro");
+      const auto setup = stetro_localizer::read_setup(localizer.params, launch.faults());
+      launch.check();
       stetro_dds::Context context(launch.context_options());
-      LocalizerNode node(context, localizer.options, localizer.params);
+      LocalizerNode node(context, localizer.options, setup.value());
       stetro_dds::Executor executor;
       executor.add(node.node());
       launch.spin(executor);

@@ -116,6 +116,8 @@ protected:
       [this](const stetro_msgs::msg::Innovations & m) { innovations_ = m; });
     node.subscribe<tf2_msgs::msg::TFMessage>(
       "/tf", qos::kTf, [this](const tf2_msgs::msg::TFMessage & m) { tf_ = m; });
+    node.subscribe<tf2_msgs::msg::TFMessage>(
+      "/tf_static", qos::kTfStatic, [this](const tf2_msgs::msg::TFMessage & m) { static_tf_ = m; });
     executor_.add(node);
   }
 
@@ -141,6 +143,7 @@ protected:
   std::optional<geometry_msgs::msg::PoseWithCovarianceStamped> pose_;
   std::optional<stetro_msgs::msg::Innovations> innovations_;
   std::optional<tf2_msgs::msg::TFMessage> tf_;
+  std::optional<tf2_msgs::msg::TFMessage> static_tf_;
   std::optional<LocalizerNode> localizer_;
 };
 
@@ -155,6 +158,19 @@ TEST_F(LocalizerNodeTest, PublishesWhereTheRobotIs)
   EXPECT_NEAR(pose_->pose().pose().position().z(), 3 * 0.14, 1e-9);
   EXPECT_EQ(std::string(tf_->transforms()[0].child_frame_id().c_str()), "odom");
   EXPECT_EQ(innovations_->innovations().size(), 6u);
+}
+
+// stair_pose is given in the flight's frame, which a transform tree must know.
+TEST_F(LocalizerNodeTest, PublishesTheFlightsOfTheSite)
+{
+  robot_.rest(0.1);
+  ASSERT_TRUE(static_tf_ && stair_pose_);
+  ASSERT_EQ(static_tf_->transforms().size(), 1u);
+  const auto & flight = static_tf_->transforms()[0];
+  EXPECT_EQ(std::string(flight.header().frame_id().c_str()), "map");
+  EXPECT_EQ(flight.child_frame_id(), stair_pose_->header().frame_id());
+  EXPECT_EQ(flight.transform().translation().x(), 10.0);
+  EXPECT_EQ(flight.transform().rotation().w(), 1.0);
 }
 
 TEST_F(LocalizerNodeTest, AnswersEachArrayOfRangesWithItsStamp)
@@ -263,6 +279,11 @@ TEST_F(LocalizerNodeTest, RefusesToStartOnAWrongSite)
 {
   LocalizerParams wrong = params_;
   wrong.flight = "no such flight";
+  EXPECT_THROW(
+    LocalizerNode(context_, stetro_dds::NodeOptions{"other", "/stetro"}, wrong),
+    stetro_config::ConfigError);
+  wrong = params_;
+  wrong.initial_step = 17;
   EXPECT_THROW(
     LocalizerNode(context_, stetro_dds::NodeOptions{"other", "/stetro"}, wrong),
     stetro_config::ConfigError);
