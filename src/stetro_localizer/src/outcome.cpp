@@ -107,6 +107,7 @@ void SourceReport::note(Verdict verdict)
       break;
     case Outcome::kNotVisible:
       ++not_visible;
+      reject_streak = 0;  // what is rejected after a gap is no sequel of what was before it
       break;
     case Outcome::kRefused:
       ++refused[static_cast<std::size_t>(verdict.refusal)];

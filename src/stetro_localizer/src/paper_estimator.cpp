@@ -28,14 +28,11 @@ namespace
 // x measured off its tread by less, or for less time, is an error of measurement or a passing beam.
 constexpr double kOutsideMargin = 0.06;  // [m]
 constexpr double kOutsideTime = 0.5;     // [s]
-constexpr double kTilt = 0.0175;         // a block stands level within this [rad]
 
 Nanoseconds nanoseconds(double duration_s)
 {
   return std::chrono::duration_cast<Nanoseconds>(std::chrono::duration<double>(duration_s));
 }
-
-double squared(double value) { return value * value; }
 
 std::vector<double> risers_of(const stetro_site::Flight & flight)
 {
@@ -131,9 +128,16 @@ Verdict PaperEstimator::add_blocks(const BlockSample & sample, Nanoseconds now)
 {
   const Verdict verdict = admit(Source::kBlocks, sample.stamp, now, fault_of(sample));
   if (!verdict.is_refused()) {
-    take_step_event(steps_.add(sample, block2_down_m_));
+    take_step_event(steps_.add(sample, block2_down_m(now)));
   }
   return verdict;
+}
+
+std::optional<double> PaperEstimator::block2_down_m(Nanoseconds now) const
+{
+  const bool counts = block2_down_.status == RangeStatus::kValid &&
+                      now - block2_down_.stamp <= nanoseconds(params_.max_sample_age_s);
+  return counts ? std::optional<double>(block2_down_.range_m) : std::nullopt;
 }
 
 void PaperEstimator::take_step_event(StepEvent event)
@@ -190,10 +194,7 @@ Verdict PaperEstimator::add_ranges(const RangeSample & sample, Nanoseconds now)
   if (verdict.is_refused()) {
     return verdict;
   }
-  const RangeReading & down = sample[Place::kBlock2Down];
-  block2_down_m_ =
-    down.status == RangeStatus::kValid ? std::optional<double>(down.range_m) : std::nullopt;
-
+  block2_down_ = sample[Place::kBlock2Down];
   SourceReport & pair = reports_[Source::kFrontPair];
   pair.note(heading_.add_pair(
     sample[Place::kFrontLeft], sample[Place::kFrontRight], riser_ahead_of_beams(sample),
@@ -294,100 +295,6 @@ void PaperEstimator::measure_x(Nanoseconds stamp)
     outside_since_ = stamp;
   }
   outside_tread_ = outside && seconds(stamp - outside_since_) > kOutsideTime;
-}
-
-void PaperEstimator::refresh(Nanoseconds stamp)
-{
-  const stetro_site::Pose before = estimate_.pose;
-  estimate_.stamp = std::max(estimate_.stamp, stamp);
-  refresh_position();
-  refresh_covariance();
-  refresh_integrity();
-  estimate_.contact_closure_m = closure_.error_m();
-  count_resets(before);
-}
-
-void PaperEstimator::refresh_position()
-{
-  const auto step = steps_.step();
-  estimate_.step = step;
-  estimate_.pose = {kUnknown, lateral_.y_m().value_or(kUnknown), kUnknown, heading_.yaw_rad()};
-  estimate_.tread_x_m = kUnknown;
-  estimate_.tread_y_m = estimate_.pose.y_m;
-  estimate_.block_heights_m =
-    steps_.heights_in_flight().value_or(std::array<double, 3>{kUnknown, kUnknown, kUnknown});
-  if (!step) {
-    return;
-  }
-  estimate_.pose.z_m = flight_.tread_z_m(*step);
-  if (*step == 0) {
-    estimate_.pose.x_m = floor_x_m_ + travel_x_m_ - floor_travel_m_;
-  } else {
-    estimate_.pose.x_m = flight_.tread_centre_m(*step);
-    estimate_.tread_x_m = estimate_.pose.x_m - flight_.tread_start_m(*step);
-  }
-}
-
-void PaperEstimator::refresh_covariance()
-{
-  const LateralView view = lateral_view();
-  auto & covariance = estimate_.covariance;
-  covariance.setZero();
-  // x is a choice, not a measurement: the robot is anywhere on its tread.
-  const int step = estimate_.step.value_or(0);
-  const double room_m = flight_.tread_m(std::max(step, 1));
-  covariance(0, 0) = squared(room_m) / 12.0;
-  covariance(1, 1) = lateral_.variance_m2(view);
-  covariance(2, 2) = squared(params_.rise_sigma_m) * std::max(step, 1);
-  covariance(3, 3) = squared(kTilt);
-  covariance(4, 4) = squared(kTilt);
-  covariance(5, 5) = view.yaw_variance;
-  covariance(1, 5) = covariance(5, 1) = lateral_.slope_yaw() * view.yaw_variance;
-}
-
-void PaperEstimator::refresh_integrity()
-{
-  const auto flag = [](bool raised, std::uint32_t reason) { return raised ? reason : 0u; };
-  const bool known = steps_.step().has_value();
-  std::uint32_t reasons = 0;
-  if (!known) {
-    reasons |= steps_.awaiting_blocks() ? std::uint32_t{kNotInitialised} : step_reasons_;
-  }
-  const double yaw_sigma = std::sqrt(heading_.reference_variance());
-  reasons |= flag(!lateral_.measured(), kNoSideRange);
-  reasons |= flag(yaw_sigma > params_.heading.sigma_limit_rad, kNoFrontReference);
-  reasons |= flag(silent_, kInputSilent);
-  reasons |= flag(!lateral_.closes(), kClosureViolated);
-  reasons |= flag(known && (outside_tread_ || foot_assumed_), kStepUncertain);
-  const bool conflict = switch_conflict_ || steps_.evidence_conflicts() ||
-                        reports_[Source::kBumperLeft].outcome == Outcome::kGated ||
-                        reports_[Source::kBumperRight].outcome == Outcome::kGated;
-  reasons |= flag(conflict, kContactConflict);
-  estimate_.reasons = reasons;
-  estimate_.integrity = integrity_of(reasons, known);
-}
-
-void PaperEstimator::count_resets(const stetro_site::Pose & before)
-{
-  const std::uint32_t resets = resets_at_start_ + told_ + lateral_.restarts() + heading_.restarts();
-  if (resets == estimate_.reset_counter || std::isnan(estimate_.pose.y_m)) {
-    return;
-  }
-  estimate_.reset_counter = resets;
-  const auto delta = [](double to, double from) { return std::isnan(from) ? kUnknown : to - from; };
-  const stetro_site::Pose & after = estimate_.pose;
-  estimate_.reset_delta = {
-    delta(after.x_m, before.x_m), delta(after.y_m, before.y_m), delta(after.z_m, before.z_m),
-    delta(after.yaw_rad, before.yaw_rad)};
-}
-
-std::array<Bias, 4> PaperEstimator::biases() const
-{
-  return {
-    {{"side_left", lateral_.offset(Side::kLeft).offset},
-     {"side_right", lateral_.offset(Side::kRight).offset},
-     {"front_pair", heading_.difference_offset().offset},
-     {"gyro", heading_.gyro_bias()}}};
 }
 
 }  // namespace stetro_localizer

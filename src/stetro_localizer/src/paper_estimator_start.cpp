@@ -51,7 +51,7 @@ void PaperEstimator::begin(const StateReading & stored)
   lateral_.set_offset(Side::kRight, calibration.right);
   resets_at_start_ = stored.state.reset_counter + 1;
   const auto & step = stored.state.step;
-  if (step && stored.state.flight_id == flight_.id() && step->step <= flight_.steps()) {
+  if (step && stored.state.flight_id == flight_.id() && steps_.has(step->step)) {
     steps_.restore(*step);
     heading_.assume_aligned(params_.heading.restart_sigma_rad);
   }

@@ -40,8 +40,18 @@ StepCounter::StepCounter(
   }
 }
 
+void StepCounter::require(int step) const
+{
+  if (!has(step)) {
+    throw std::invalid_argument(
+      "step: " + std::to_string(step) + " refused, accepted: 0 to " +
+      std::to_string(risers_m_.size()));
+  }
+}
+
 void StepCounter::tell(int step)
 {
+  require(step);
   state_ = StepState{};
   state_.step = step;
   mode_ = Mode::kTold;
@@ -56,6 +66,7 @@ void StepCounter::assume_foot()
 
 void StepCounter::restore(const StepState & stored)
 {
+  require(stored.step);
   state_ = stored;
   mode_ = Mode::kStored;
   candidate_samples_ = 0;

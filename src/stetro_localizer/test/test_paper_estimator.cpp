@@ -175,6 +175,44 @@ TEST(PaperEstimator, CarriesTheHeadingWhereThereIsNoRiser)
   EXPECT_EQ(scene.estimate().integrity, Integrity::kOk) << reason_names(scene.estimate().reasons);
 }
 
+// At contact the outer beam is 1.5 cm from the wall, which its cone of 25 deg meets after 7 cm; the
+// riser is 21 cm away. Taken for a heading that is 36 deg, and 12 deg where the robot stops before.
+TEST(PaperEstimator, DoesNotTakeASideWallForATurn)
+{
+  for (const double gap_m : {0.015, 0.025, 0.035}) {
+    Scene scene(3);
+    scene.robot.cone_rad = stetro_site::RobotGeometry{}.range_sensor.cone_rad;
+    scene.robot.y_m = 1.85;
+    scene.robot.rest(1.0);
+    ASSERT_EQ(scene.estimator.reports()[Source::kFrontPair].outcome, Outcome::kFused);
+    scene.robot.drive(0.0, 0.05, 0.0, (2.05 - 0.1 - gap_m - scene.robot.y_m) / 0.05);
+    scene.robot.rest(2.0);
+    const SourceReport & pair = scene.estimator.reports()[Source::kFrontPair];
+    EXPECT_EQ(pair.outcome, Outcome::kNotVisible) << gap_m;
+    EXPECT_EQ(pair.gated, 0u) << gap_m;
+    EXPECT_NEAR(scene.yaw_error_rad(), 0.0, 0.01 * kDeg) << gap_m;
+    scene.robot.drive(0.0, -0.002, 0.05, 1.0);
+    EXPECT_NEAR(scene.yaw_error_rad(), 0.0, 0.1 * kDeg) << "the gyroscope follows a turn";
+    EXPECT_EQ(scene.estimate().integrity, Integrity::kOk) << reason_names(scene.estimate().reasons);
+  }
+}
+
+// The left wall is 1.7 m away: what its sensor says is made up, and the right one knows y.
+TEST(PaperEstimator, DoesNotCountNumbersMadeUpBeyondReachAsContradictions)
+{
+  Scene scene(3);
+  scene.robot.y_m = 0.3;
+  scene.robot.rest(1.0);
+  for (const double made_up_m : {0.2, 0.7, 1.1}) {
+    scene.robot.made_up_m = made_up_m;
+    scene.robot.rest(1.0);
+    EXPECT_EQ(scene.estimator.reports()[Source::kSideLeft].gated, 0u) << made_up_m;
+    EXPECT_EQ(scene.estimate().reasons, 0u) << reason_names(scene.estimate().reasons);
+    EXPECT_NEAR(scene.y_error_m(), 0.0, 1e-6) << made_up_m;
+  }
+  EXPECT_EQ(scene.estimate().reset_counter, 0u);
+}
+
 TEST(PaperEstimator, IsDegradedWithoutAnySideRangeAndPredicts)
 {
   Scene scene(3);
@@ -218,6 +256,30 @@ TEST(PaperEstimator, IsDegradedWhenTheSidesDoNotAddUp)
   EXPECT_NEAR(scene.estimate().pose.y_m, 1.0, 1e-6) << "the first one is kept";
   EXPECT_GT(scene.estimator.reports()[Source::kSideLeft].gated, 0u);
   EXPECT_EQ(scene.estimate().reasons, kClosureViolated);
+}
+
+// The range below block 2 was taken in the air. It does not contradict a touch-down after it.
+TEST(PaperEstimator, DoesNotHoldAnOldRangeBelowBlock2AgainstATouchDown)
+{
+  Scene scene(3);
+  scene.robot.rest(1.0);
+  scene.robot.bearing[1] = false;
+  scene.robot.block_z_m[1] += 0.18;
+  scene.robot.rest(0.5);
+  ASSERT_EQ(scene.estimate().step, 3);
+  scene.robot.block_z_m[1] = 4 * 0.14;  // lowered while no ranges come
+  scene.robot.bearing[1] = true;
+  for (int i = 0; i < 15; ++i) {
+    scene.robot.now += std::chrono::milliseconds(30);
+    scene.estimator.add_blocks(scene.robot.blocks(), scene.robot.now);
+    if (i == 5) {
+      scene.estimator.tick(scene.robot.now);
+      EXPECT_EQ(scene.estimate().step, 3) << "0.18 s old: it is waited for the next one";
+    }
+  }
+  scene.estimator.tick(scene.robot.now);
+  EXPECT_EQ(scene.estimate().step, 4);
+  EXPECT_FALSE(scene.estimate().reasons & kContactConflict);
 }
 
 TEST(PaperEstimator, DoesNotBelieveAStuckBumper)

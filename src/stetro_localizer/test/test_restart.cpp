@@ -16,6 +16,7 @@
 
 #include <cmath>
 #include <optional>
+#include <stdexcept>
 
 #include "stetro_localizer/paper_estimator.hpp"
 #include "support/stair_robot.hpp"
@@ -162,6 +163,44 @@ TEST(Restart, KnowsAFreshRobotOnlyWhereItCanBeOnlyThere)
   any.rest(1.0);
   EXPECT_EQ(unknown.estimate().reasons & kNotInitialised, kNotInitialised);
   EXPECT_EQ(unknown.estimate().integrity, Integrity::kLost);
+}
+
+TEST(Restart, IsNotOkOnTheFloorWhileXIsUnknown)
+{
+  PaperEstimator before = fresh(0);
+  before.begin({});
+  StairRobot level(before);
+  level.stand_on(0);
+  level.rest(1.0);
+  ASSERT_EQ(before.estimate().integrity, Integrity::kOk);
+  PaperEstimator after = fresh();
+  after.begin(found(before.state_to_store()));
+  StairRobot robot = moved_to(after, level);
+  robot.front_dead = true;
+  robot.rest(1.0);
+  EXPECT_EQ(after.estimate().step, 0);
+  EXPECT_TRUE(std::isnan(after.estimate().pose.x_m));
+  EXPECT_EQ(after.estimate().integrity, Integrity::kDegraded);
+  EXPECT_EQ(after.estimate().reasons, kNoFrontReference);
+  robot.front_dead = false;
+  robot.rest(0.5);
+  EXPECT_EQ(after.estimate().integrity, Integrity::kOk) << reason_names(after.estimate().reasons);
+}
+
+TEST(Restart, DoesNotUseAStepThatTheFlightDoesNotHave)
+{
+  for (const int step : {-1, 17}) {
+    Known before;
+    StoredState state = before.estimator.state_to_store();
+    state.step->step = step;
+    PaperEstimator after = fresh();
+    after.begin(found(state));
+    StairRobot robot = moved_to(after, before.robot);
+    robot.rest(1.0);
+    EXPECT_EQ(after.estimate().integrity, Integrity::kLost) << step;
+    EXPECT_TRUE(after.estimate().reasons & kNotInitialised) << step;
+  }
+  EXPECT_THROW(fresh(17).begin({}), std::invalid_argument);
 }
 
 TEST(Restart, KeepsTheCalibration)

@@ -314,5 +314,19 @@ TEST(StepCounter, RefusesImpossibleStairs)
   EXPECT_THROW(StepCounter({0.14, 0.0}, kContact, StepCounterParams{}), std::invalid_argument);
 }
 
+TEST(StepCounter, RefusesAStepThatTheFlightDoesNotHave)
+{
+  Blocks blocks;
+  for (const int step : {-1, 17, 200}) {
+    EXPECT_FALSE(blocks.counter.has(step));
+    EXPECT_THROW(blocks.counter.tell(step), std::invalid_argument) << step;
+    StepState stored;
+    stored.step = step;
+    EXPECT_THROW(blocks.counter.restore(stored), std::invalid_argument) << step;
+  }
+  blocks.counter.tell(16);
+  EXPECT_TRUE(blocks.counter.awaiting_blocks()) << "and takes one that it has";
+}
+
 }  // namespace
 }  // namespace stetro_localizer

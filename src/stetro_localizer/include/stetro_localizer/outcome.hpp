@@ -84,7 +84,7 @@ struct SourceReport
   double innovation_variance = std::numeric_limits<double>::quiet_NaN();  ///< of the innovation
   double test_ratio = std::numeric_limits<double>::quiet_NaN();           ///< above 1 it is gated
   Outcome outcome = Outcome::kNone;
-  std::uint32_t reject_streak = 0;  ///< gated in a row
+  std::uint32_t reject_streak = 0;  ///< gated in a row; fused and not visible end it
   std::uint64_t fused = 0;
   std::uint64_t gated = 0;
   std::uint64_t stale = 0;

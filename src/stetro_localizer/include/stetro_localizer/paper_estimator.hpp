@@ -78,6 +78,7 @@ private:
   [[nodiscard]] double width_here_m() const;
   [[nodiscard]] std::optional<int> riser_ahead_of_beams(const RangeSample & sample) const;
   [[nodiscard]] bool sees_side_wall(Place front, const RangeReading & reading) const;
+  [[nodiscard]] std::optional<double> block2_down_m(Nanoseconds now) const;
   void add_bumpers(Side side, const ContactSample & sample, const LateralView & view);
   void take_step_event(StepEvent event);
   void measure_x(Nanoseconds stamp);
@@ -100,7 +101,7 @@ private:
   SourceReports reports_;
   StairEstimate estimate_;
 
-  std::optional<double> block2_down_m_;
+  RangeReading block2_down_;      // the last one; it counts while it is young
   double travel_x_m_ = 0.0;       // by the wheels, along the flight
   double floor_x_m_ = kUnknown;   // x on step 0 when it was last measured
   double floor_travel_m_ = 0.0;   // travel_x_m_ at that time

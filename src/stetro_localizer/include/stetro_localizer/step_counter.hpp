@@ -97,6 +97,7 @@ public:
     std::vector<double> risers_m, double down_contact_m, const StepCounterParams & params);
 
   /// Takes the step as a person told it; the next settled blocks must allow it, or it is lost.
+  /** \throws std::invalid_argument if the flight has no such step */
   void tell(int step);
 
   /// Takes step 0 for a robot without history; the next settled blocks must stand level.
@@ -110,8 +111,15 @@ public:
    *  - blocks that stood and stand have kept their offsets: the same step
    *  - block 2 was aloft and stands: the touch-down rule above decides
    *  - anything else is ambiguous: lost until told
+   * \throws std::invalid_argument if the flight has no such step
    */
   void restore(const StepState & stored);
+
+  /// The flight has such a step: 0, the floor, to N.
+  [[nodiscard]] bool has(int step) const
+  {
+    return step >= 0 && step <= static_cast<int>(risers_m_.size());
+  }
 
   /// The step is unknown from now on.
   void forget();
@@ -145,6 +153,7 @@ public:
 private:
   enum class Mode { kLost, kTold, kAssumed, kStored, kCounting };
 
+  void require(int step) const;
   [[nodiscard]] bool same_height(double a_m, double b_m) const;
   [[nodiscard]] bool pairs_kept(const BlockPattern & before, const BlockPattern & now) const;
   [[nodiscard]] bool plausible(int step, const BlockPattern & pattern) const;

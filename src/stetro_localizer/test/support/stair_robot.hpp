@@ -73,6 +73,8 @@ public:
   bool front_dead = false;                        ///< the front pair sees nothing
   bool switches_closed = false;                   ///< both riser switches
   double person_m = 0.0;                          ///< if not 0: front pair reads this [m]
+  double cone_rad = 0.0;   ///< full angle in which a front beam takes a side wall in [rad]
+  double made_up_m = 0.0;  ///< if not 0: a side sensor beyond its reach reads this [m]
   Nanoseconds now = std::chrono::seconds(1000);
 
   /// Puts it on a tread as for sweeping (1..15), or on the floor (0).
@@ -241,7 +243,19 @@ private:
       return 9.0;
     }
     const double start_m = x_m + 0.19 * std::cos(yaw_rad) - mount_y_m * std::sin(yaw_rad);
-    return ((riser - 1) * 0.32 - start_m) / std::cos(yaw_rad);
+    const double riser_m = ((riser - 1) * 0.32 - start_m) / std::cos(yaw_rad);
+    return std::min(riser_m, wall_in_cone_m(mount_y_m));
+  }
+
+  // Where the edge of a front beam's cone meets the nearer side wall.
+  [[nodiscard]] double wall_in_cone_m(double mount_y_m) const
+  {
+    const double beam_y_m = y_m + 0.19 * std::sin(yaw_rad) + mount_y_m * std::cos(yaw_rad);
+    const double left = std::sin(cone_rad / 2.0 + yaw_rad);
+    const double right = std::sin(cone_rad / 2.0 - yaw_rad);
+    const double left_m = left > 0.0 ? (2.05 - beam_y_m) / left : 9.0;
+    const double right_m = right > 0.0 ? beam_y_m / right : 9.0;
+    return cone_rad > 0.0 ? std::min(left_m, right_m) : 9.0;
   }
 
   [[nodiscard]] double true_range_m(Place place) const
@@ -269,6 +283,10 @@ private:
     const double sigma_m = std::hypot(errors_.white_m, errors_.white_per_m * true_m);
     const double range_m =
       true_m * (1.0 + errors_.gain[i]) + errors_.offset_m[i] + sigma_m * normal_(random_);
+    const bool side = place == Place::kSideLeft || place == Place::kSideRight;
+    if (true_m > 1.3 && side && made_up_m > 0.0) {
+      return {now, made_up_m, 0.0, RangeStatus::kValid};
+    }
     if (true_m > 1.3) {
       return {now, std::numeric_limits<double>::infinity(), 0.0, RangeStatus::kNoTarget};
     }
