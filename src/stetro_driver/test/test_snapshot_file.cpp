@@ -141,6 +141,33 @@ TEST_F(SnapshotFileTest, BelongsToOneProcessAtATime)
   EXPECT_THROW(open(), HardwareError);
 }
 
+TEST_F(SnapshotFileTest, OfALiveProcessStaysWhereItIs)
+{
+  const auto mine = open(1);
+  mine->store(full_of(1));
+  mine->store(full_of(2));
+  EXPECT_THROW(open(2), HardwareError) << "another world's driver, by mistake on the same file";
+  EXPECT_FALSE(std::filesystem::exists(path_ + ".refused"));
+  EXPECT_THROW(open(1), HardwareError) << "still locked";
+  mine->store(full_of(3));
+  EXPECT_TRUE(std::filesystem::exists(path_));
+}
+
+TEST_F(SnapshotFileTest, SetAsideByItsReaderLeavesANewOneLocked)
+{
+  {
+    const auto file = open();
+    file->store(full_of(1));
+  }
+  const auto file = open();
+  ASSERT_EQ(file->found().outcome, ResumeOutcome::kResumed);
+  file->refuse_found("it has no end");
+  EXPECT_EQ(file->found().outcome, ResumeOutcome::kDamaged);
+  EXPECT_TRUE(std::filesystem::exists(path_ + ".refused"));
+  EXPECT_THROW(open(), HardwareError);
+  file->store(full_of(9));
+}
+
 // Whenever the writer is killed, what it stored last or the store before is there, and whole.
 TEST_F(SnapshotFileTest, SurvivesKillAtAnyMoment)
 {

@@ -25,8 +25,6 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <utility>
 
 namespace stetro_driver::sim
@@ -75,6 +73,7 @@ SnapshotFile::SnapshotFile(std::string path, std::uint64_t world, std::size_t si
   size_(size),
   slot_size_((sizeof(Header) + size + kAlignment - 1) / kAlignment * kAlignment)
 {
+  lock();
   found_ = inspect();
   if (found_.outcome == ResumeOutcome::kDamaged || found_.outcome == ResumeOutcome::kForeign) {
     set_aside();
@@ -84,14 +83,71 @@ SnapshotFile::SnapshotFile(std::string path, std::uint64_t world, std::size_t si
 
 SnapshotFile::~SnapshotFile() { unmap(); }
 
-SnapshotFile::Found SnapshotFile::inspect() const
+void SnapshotFile::give_up(const char * what)
 {
-  std::ifstream file(path_, std::ios::binary);
-  if (!file) {
-    return {};
+  const int reason = errno;
+  unmap();
+  errno = reason;
+  fail(path_, what);
+}
+
+// The lock comes first: a file that another process lives on is neither judged nor moved.
+void SnapshotFile::lock()
+{
+  for (;;) {
+    fd_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
+    if (fd_ < 0) {
+      give_up("open it");
+    }
+    if (::flock(fd_, LOCK_EX | LOCK_NB) != 0) {
+      give_up("lock it, another process uses it");
+    }
+    struct stat locked
+    {
+    };
+    struct stat named
+    {
+    };
+    if (::fstat(fd_, &locked) != 0) {
+      give_up("look at it");
+    }
+    const bool there = ::stat(path_.c_str(), &named) == 0;
+    if (there && locked.st_dev == named.st_dev && locked.st_ino == named.st_ino) {
+      return;
+    }
+    unmap();  // it was set aside between our opening and our lock
   }
-  const std::vector<char> raw{std::istreambuf_iterator<char>(file), {}};
-  if (raw.empty() || std::all_of(raw.begin(), raw.end(), [](char c) { return c == 0; })) {
+}
+
+std::vector<std::uint8_t> SnapshotFile::content()
+{
+  struct stat about
+  {
+  };
+  if (::fstat(fd_, &about) != 0) {
+    give_up("look at it");
+  }
+  std::vector<std::uint8_t> raw(static_cast<std::size_t>(about.st_size));
+  std::size_t filled = 0;
+  while (filled < raw.size()) {
+    const ssize_t got =
+      ::pread(fd_, raw.data() + filled, raw.size() - filled, static_cast<off_t>(filled));
+    if (got < 0 && errno != EINTR) {
+      give_up("read it");
+    }
+    if (got == 0) {
+      break;
+    }
+    filled += got > 0 ? static_cast<std::size_t>(got) : 0;
+  }
+  raw.resize(filled);
+  return raw;
+}
+
+SnapshotFile::Found SnapshotFile::inspect()
+{
+  const std::vector<std::uint8_t> raw = content();
+  if (std::all_of(raw.begin(), raw.end(), [](std::uint8_t byte) { return byte == 0; })) {
     return {};  // created, and nothing stored yet
   }
   Found best{ResumeOutcome::kDamaged, {}, path_ + ": no whole snapshot in it"};
@@ -107,7 +163,7 @@ SnapshotFile::Found SnapshotFile::inspect() const
     if (header.magic != kMagic || header.size > left) {
       continue;
     }
-    const auto * bytes = reinterpret_cast<const std::uint8_t *>(raw.data() + start + sizeof header);
+    const std::uint8_t * bytes = raw.data() + start + sizeof header;
     if (header.checksum != header.expected(bytes) || header.number < best_number) {
       continue;
     }
@@ -129,14 +185,15 @@ void SnapshotFile::set_aside()
 {
   const std::string aside = path_ + ".refused";
   if (std::rename(path_.c_str(), aside.c_str()) != 0) {
-    fail(path_, "set the refused file aside");
+    give_up("set the refused file aside");
   }
+  unmap();  // with the lock on what is now aside
+  lock();
   found_.detail += "; not used, kept as " + aside;
 }
 
 void SnapshotFile::refuse_found(const std::string & why)
 {
-  unmap();
   found_ = {ResumeOutcome::kDamaged, {}, path_ + ": " + why};
   set_aside();
   map();
@@ -144,16 +201,6 @@ void SnapshotFile::refuse_found(const std::string & why)
 
 void SnapshotFile::map()
 {
-  fd_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
-  if (fd_ < 0) {
-    fail(path_, "open it");
-  }
-  if (::flock(fd_, LOCK_EX | LOCK_NB) != 0) {
-    const int reason = errno;
-    unmap();
-    errno = reason;
-    fail(path_, "lock it, another process uses it");
-  }
   const auto total = static_cast<off_t>(2 * slot_size_);
   void * at = MAP_FAILED;
   // Blocks are allocated now: a full disk shows here, not as a SIGBUS in the loop.
@@ -162,10 +209,7 @@ void SnapshotFile::map()
     at = ::mmap(nullptr, 2 * slot_size_, PROT_READ | PROT_WRITE, MAP_SHARED, fd_, 0);
   }
   if (at == MAP_FAILED) {
-    const int reason = errno;
-    unmap();
-    errno = reason;
-    fail(path_, "map it");
+    give_up("map it");
   }
   mapped_ = static_cast<std::uint8_t *>(at);
   newest_ = found_.number;

@@ -33,7 +33,8 @@ namespace stetro_driver::sim
 /**
  * A file of two slots, mapped into memory. Each store fills the slot that is not the newest, so a
  * process that dies half-way leaves the other one whole; a slot counts only if its checksum, over
- * its number, its world and its bytes, agrees. Loading takes the newest that counts. (The kernel
+ * its number, its world and its bytes, agrees. Loading takes the newest that counts. A file is
+ * locked before it is read, and set aside only by who holds its lock. (The kernel
  * keeps what a dead process wrote to the mapping; a power cut may lose the last seconds of it.)
  */
 class SnapshotFile
@@ -67,8 +68,11 @@ public:
 private:
   struct Header;
 
-  [[nodiscard]] Found inspect() const;
+  void lock();
+  [[nodiscard]] std::vector<std::uint8_t> content();
+  [[nodiscard]] Found inspect();
   [[nodiscard]] std::uint8_t * slot(std::size_t number) const;
+  [[noreturn]] void give_up(const char * what);
   void set_aside();
   void map();
   void unmap() noexcept;
