@@ -14,8 +14,15 @@
 
 #include "stetro_driver/driver_setup.hpp"
 
-#include <string>
+#include <unistd.h>
 
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+
+#include "stetro_driver/sim_robot.hpp"
+#include "stetro_driver/site_shape.hpp"
 #include "stetro_site/fit.hpp"
 
 namespace stetro_driver
@@ -42,7 +49,42 @@ const stetro_site::Flight * find_flight(
   return nullptr;
 }
 
+void check_start(const DriverSetup & setup, stetro_config::Faults & faults)
+{
+  try {
+    SimRobot{shape_of(setup.flight), shape_of(setup.robot), sim_options(setup.params)};
+  } catch (const std::invalid_argument & error) {
+    std::string start;
+    for (const double value : setup.params.sim.start) {
+      start += (start.empty() ? "[" : ", ") + std::to_string(value);
+    }
+    faults.refuse(
+      "sim.start", start.empty() ? "drawn" : start + "]",
+      std::string("where there is room; ") + error.what());
+  }
+}
+
+void check_snapshot_file(const std::string & file, stetro_config::Faults & faults)
+{
+  if (file.empty()) {
+    return;
+  }
+  std::error_code ignored;
+  const auto directory = std::filesystem::absolute(file).parent_path();
+  if (
+    !std::filesystem::is_directory(directory, ignored) ||
+    ::access(directory.c_str(), W_OK | X_OK) != 0 || std::filesystem::is_directory(file, ignored)) {
+    faults.refuse("sim.snapshot_file", file, "a file in a directory that exists and is writable");
+  }
+}
+
 }  // namespace
+
+void check(const DriverSetup & setup, stetro_config::Faults & faults)
+{
+  check_start(setup, faults);
+  check_snapshot_file(setup.params.sim.snapshot_file, faults);
+}
 
 std::optional<DriverSetup> read_setup(const DriverParams & params, stetro_config::Faults & faults)
 {
@@ -55,7 +97,11 @@ std::optional<DriverSetup> read_setup(const DriverParams & params, stetro_config
     if (flight == nullptr) {
       return std::nullopt;
     }
-    return DriverSetup{params, *flight, deployment.robot};
+    DriverSetup setup{params, *flight, deployment.robot};
+    if (faults.empty()) {  // else the parameters may contradict each other
+      check(setup, faults);
+    }
+    return setup;
   } catch (const stetro_config::ConfigError & error) {
     for (const stetro_config::Fault & fault : error.faults()) {
       faults.add(fault);

@@ -37,6 +37,9 @@ struct DriverSetup
 [[nodiscard]] std::optional<DriverSetup> read_setup(
   const DriverParams & params, stetro_config::Faults & faults);
 
+/// What cannot be: a start inside a wall, a snapshot in a directory that is not there.
+void check(const DriverSetup & setup, stetro_config::Faults & faults);
+
 }  // namespace stetro_driver
 
 #endif  // STETRO_DRIVER__DRIVER_SETUP_HPP_
