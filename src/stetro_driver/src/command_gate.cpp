@@ -180,6 +180,9 @@ Verdict CommandGate::judge_content(const CommandRequest & request) const
   if (request.issuer.empty() || request.issuer_instance == 0) {
     return refuse(Refusal::kBadIssuer, "issuer empty or instance zero");
   }
+  if (request.issuer_cut) {
+    return refuse(Refusal::kBadIssuer, "issuer fills its field and may be cut, accepted: shorter");
+  }
   const JointCommand & motion = request.motion;
   if (motion.kind >= MotionKind::kUnknown) {
     return refuse(
@@ -261,11 +264,11 @@ Verdict CommandGate::judge_issuer(const CommandRequest & request) const
 Verdict CommandGate::judge_situation(
   const JointCommand & motion, const GateSituation & situation) const
 {
-  if (!situation.active) {
-    return refuse(Refusal::kNotActive, "the driver is not active");
-  }
   if (emergency_stop_ || situation.emergency_stop) {
     return refuse(Refusal::kEmergencyStop, "the emergency stop is latched");
+  }
+  if (!situation.active) {
+    return refuse(Refusal::kNotActive, "the driver is not active");
   }
   if (situation.fault) {
     return refuse(Refusal::kFault, "the hardware has a fault");

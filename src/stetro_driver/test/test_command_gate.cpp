@@ -242,6 +242,9 @@ TEST_F(CommandGateTest, RefusesEverythingWhileItMayNotMove)
   CommandRequest nobody = roll(1, 0);
   nobody.issuer.clear();
   EXPECT_EQ(offer(nobody, 0), Refusal::kBadIssuer);
+  CommandRequest stump = roll(1, 0);
+  stump.issuer_cut = true;
+  EXPECT_EQ(offer(stump, 0), Refusal::kBadIssuer);
   EXPECT_EQ(offer(roll(1, 0), 0), Refusal::kNone) << "a refused number is not used up";
 }
 
@@ -254,6 +257,13 @@ TEST_F(CommandGateTest, LatchesTheEmergencyStop)
   gate_.reset_emergency_stop();
   EXPECT_EQ(acting(11), MotionKind::kHold) << "it needs a new command";
   EXPECT_EQ(offer(roll(3, 20), 20), Refusal::kNone);
+}
+
+TEST_F(CommandGateTest, AnEmergencyStopIsTheReasonAlsoWithoutPower)
+{
+  situation_.active = false;
+  situation_.emergency_stop = true;
+  EXPECT_EQ(offer(roll(1, 0), 0), Refusal::kEmergencyStop);
 }
 
 TEST(GateLimits, AreChecked)

@@ -55,6 +55,43 @@ TEST(Convert, ReadsACommand)
   EXPECT_EQ(request.motion.block, 2);
 }
 
+TEST(Convert, AnIssuerThatFillsItsFieldMayBeAStump)
+{
+  stetro_msgs::msg::Command message;
+  message.issuer(std::string(63, 'a'));
+  EXPECT_FALSE(to_request(message).issuer_cut);
+  message.issuer(std::string(70, 'a'));
+  EXPECT_TRUE(to_request(message).issuer_cut);
+}
+
+TEST(Convert, ARangeSaysHowSureItIs)
+{
+  SensorFrame frame;
+  frame.ranges[0].std_dev_m = 0.02;
+  const stetro_site::RangeSensor sensor;
+  EXPECT_NEAR(to_range(frame, RangePlace::kSideLeft, sensor).variance(), 4e-4, 1e-9);
+  frame.ranges[0].std_dev_m = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(to_range(frame, RangePlace::kSideLeft, sensor).variance(), 0.0F) << "unknown";
+}
+
+TEST(Convert, OdometryGetsLessSureWithTheWay)
+{
+  OdometryReading odometry;
+  const auto at_rest = to_odometry(odometry).pose().covariance();
+  EXPECT_EQ(at_rest[0], 0.0) << "it starts where it says";
+  odometry.turned_rad = 2.0;
+  const auto turned = to_odometry(odometry).pose().covariance();
+  EXPECT_EQ(turned[0], 0.0);
+  EXPECT_NEAR(turned[35], 0.01, 1e-12) << "(5 % of 2 rad)^2";
+  odometry.turned_rad = 0.0;
+  odometry.rolled_m = 1.0;
+  const auto rolled = to_odometry(odometry).pose().covariance();
+  EXPECT_NEAR(rolled[0], 0.0125, 1e-12) << "5 % of a metre, and 0.1 rad over it";
+  EXPECT_NEAR(rolled[35], 0.01, 1e-12);
+  odometry.rolled_m = 2.0;
+  EXPECT_GT(to_odometry(odometry).pose().covariance()[7], rolled[7]);
+}
+
 TEST(Convert, AKindThatNobodyKnowsIsNotGuessed)
 {
   stetro_msgs::msg::Command message;

@@ -110,5 +110,24 @@ TEST(SimWheels, TheHeadingWandersOnlyWhileMoving)
   EXPECT_EQ(wheels.odometry(Time{0}).yaw_rad, 0.0) << "the wheels do not feel it";
 }
 
+TEST(SimWheels, CountsTheWholeWay)
+{
+  SimWheels wheels{no_errors(), 1};
+  for (const double vx_m_s : {0.1, -0.1}) {
+    for (int tick = 0; tick < 100; ++tick) {
+      static_cast<void>(wheels.roll({vx_m_s, 0.0, 0.0}, 0.01));
+    }
+  }
+  for (const double wz_rad_s : {0.2, -0.2}) {
+    for (int tick = 0; tick < 100; ++tick) {
+      static_cast<void>(wheels.roll({0.0, 0.0, wz_rad_s}, 0.01));
+    }
+  }
+  const OdometryReading odometry = wheels.odometry(Time{1});
+  EXPECT_NEAR(odometry.x_m, 0.0, 1e-12);
+  EXPECT_NEAR(odometry.rolled_m, 0.2, 1e-12);
+  EXPECT_NEAR(odometry.turned_rad, 0.4, 1e-12);
+}
+
 }  // namespace
 }  // namespace stetro_driver::sim

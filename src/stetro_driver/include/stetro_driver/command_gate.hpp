@@ -33,10 +33,12 @@ namespace stetro_driver
 struct CommandRequest
 {
   std::string issuer;
+  bool issuer_cut = false;  ///< it fills its field, so it may be the stump of a longer name
   std::uint64_t issuer_instance = 0;  ///< drawn anew when the issuer's process starts
   std::uint64_t sequence_number = 0;
-  Time stamp{0};      ///< time of issue, on the robot's clock
-  Time valid_for{0};  ///< how long it may act from its reception
+  Time stamp{0};  ///< time of issue, on the robot's clock
+  Time valid_for{
+    0};  ///< how long it may act from its stamp, or from its reception if that is earlier
   JointCommand motion{};
 };
 
@@ -86,7 +88,7 @@ struct GateClocks
 struct GateSituation
 {
   bool active = false;          ///< motors have power
-  bool emergency_stop = false;  ///< pressed or latched
+  bool emergency_stop = false;  ///< latched
   bool fault = false;           ///< the hardware has a fault
   double steering_rad = 0.0;
   bool steering_moving = false;

@@ -129,6 +129,8 @@ struct OdometryReading
   double x_m = 0.0;
   double y_m = 0.0;
   double yaw_rad = 0.0;
+  double rolled_m = 0.0;    ///< in all, whichever way: what the pose has drifted over
+  double turned_rad = 0.0;  ///< in all, either way
 };
 
 /// Everything the robot's sensors say at one time.
@@ -138,6 +140,7 @@ struct SensorFrame
   bool ranges_complete = false;  ///< a cycle of the range sensors has just ended
   std::array<RangeReading, kRangePlaces> ranges{};
   std::array<ContactReading, kContactPlaces> contacts{};
+  bool emergency_stop_latched = false;  ///< its button was pressed, and nobody has reset it since
   std::array<BlockReading, kBlocks> blocks{};
   SteeringReading steering{};
   GyroReading gyro{};

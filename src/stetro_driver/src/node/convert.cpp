@@ -14,8 +14,11 @@
 
 #include "node/convert.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "stetro_msgs/bounds.hpp"
 
 namespace stetro_driver
 {
@@ -31,8 +34,12 @@ constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 // A wheel's share of what the ground does to it, as a variance per axis of a velocity sample.
 constexpr double kSpeedVariance = 1e-4;  // (1 cm/s)^2
 constexpr double kTurnVariance = 1e-3;   // (1.8 deg/s)^2
-constexpr double kDriftVariance = 1e-2;  // dead reckoning: a decimetre, and growing
-constexpr double kNotMeasured = 1e6;     // an axis that wheels cannot know
+// Dead reckoning, one standard deviation: the wheels' scale and slips per metre rolled and per
+// radian turned, and the turning that no wheel feels per metre rolled.
+constexpr double kPositionDrift = 0.05;   // [m/m]
+constexpr double kHeadingDrift = 0.05;    // [rad/rad]
+constexpr double kHeadingPerMetre = 0.1;  // [rad/m]
+constexpr double kNotMeasured = 1e6;      // an axis that wheels cannot know
 
 std::uint8_t status_of(RangeStatus status)
 {
@@ -116,6 +123,17 @@ std::array<double, 36> diagonal(double x, double y, double z, double tilt, doubl
   return covariance;
 }
 
+/// Grows with what was rolled and turned. A heading that drifted carries what is rolled sideways.
+std::array<double, 36> drift_of(const OdometryReading & odometry)
+{
+  const double yaw_rad =
+    std::hypot(kHeadingDrift * odometry.turned_rad, kHeadingPerMetre * odometry.rolled_m);
+  const double position_m =
+    std::hypot(kPositionDrift * odometry.rolled_m, std::min(yaw_rad, 1.0) * odometry.rolled_m);
+  const double across = position_m * position_m;
+  return diagonal(across, across, kNotMeasured, kNotMeasured, yaw_rad * yaw_rad);
+}
+
 geometry_msgs::msg::TransformStamped transform(
   Time time, const std::string & parent, const std::string & child, const Vector3 & at_m,
   const geometry_msgs::msg::Quaternion & rotation)
@@ -172,6 +190,7 @@ CommandRequest to_request(const stetro_msgs::msg::Command & message)
 {
   CommandRequest request;
   request.issuer = message.issuer().c_str();
+  request.issuer_cut = stetro_msgs::fills_a_string(message);  // it has no other bounded string
   request.issuer_instance = message.issuer_instance();
   request.sequence_number = message.sequence_number();
   request.stamp = to_time(message.header().stamp());
@@ -214,6 +233,8 @@ sensor_msgs::msg::Range to_range(
   message.min_range(static_cast<float>(sensor.min_range_m));
   message.max_range(static_cast<float>(sensor.reliable_range_m));
   message.range(static_cast<float>(from.range_m));
+  const double variance = from.std_dev_m * from.std_dev_m;
+  message.variance(std::isfinite(variance) ? static_cast<float>(variance) : 0.0F);  // 0: unknown
   return message;
 }
 
@@ -270,8 +291,7 @@ nav_msgs::msg::Odometry to_odometry(const OdometryReading & odometry)
   message.pose().pose().position().x(odometry.x_m);
   message.pose().pose().position().y(odometry.y_m);
   message.pose().pose().orientation(turned(odometry.yaw_rad));
-  message.pose().covariance(
-    diagonal(kDriftVariance, kDriftVariance, kNotMeasured, kNotMeasured, kDriftVariance));
+  message.pose().covariance(drift_of(odometry));
   message.twist().twist().linear().x(odometry.vx_m_s);
   message.twist().twist().linear().y(odometry.vy_m_s);
   message.twist().twist().angular().z(odometry.wz_rad_s);

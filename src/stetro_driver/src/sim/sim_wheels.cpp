@@ -72,6 +72,8 @@ void SimWheels::count(const WheelSpeeds & turned, double dt_s)
   const double middle_rad = o.yaw_rad + o.wz_rad_s * dt_s / 2.0;
   o.x_m += (o.vx_m_s * std::cos(middle_rad) - o.vy_m_s * std::sin(middle_rad)) * dt_s;
   o.y_m += (o.vx_m_s * std::sin(middle_rad) + o.vy_m_s * std::cos(middle_rad)) * dt_s;
+  o.rolled_m += std::hypot(o.vx_m_s, o.vy_m_s) * dt_s;
+  o.turned_rad += std::abs(o.wz_rad_s) * dt_s;
   o.yaw_rad = std::remainder(o.yaw_rad + o.wz_rad_s * dt_s, 6.28318530717958647692);
 }
 

@@ -60,7 +60,7 @@ public:
     disturbance_.archive(each);
     each(
       slip_left_m_, odometry_.vx_m_s, odometry_.vy_m_s, odometry_.wz_rad_s, odometry_.x_m,
-      odometry_.y_m, odometry_.yaw_rad);
+      odometry_.y_m, odometry_.yaw_rad, odometry_.rolled_m, odometry_.turned_rad);
   }
 
 private:
