@@ -15,147 +15,23 @@
 #include <gtest/gtest.h>
 
 #include <limits>
-#include <map>
-#include <optional>
 #include <string>
-#include <vector>
 
-#include "loopback.hpp"
-#include "pilot.hpp"
-#include "stetro_dds/qos.hpp"
-#include "stetro_driver/driver_node.hpp"
-#include "stetro_msgs/Clock.hpp"
-#include "stetro_msgs/Command.hpp"
-#include "stetro_msgs/CommandStatus.hpp"
-#include "stetro_msgs/Contacts.hpp"
-#include "stetro_msgs/Imu.hpp"
-#include "stetro_msgs/PoseWithCovarianceStamped.hpp"
-#include "stetro_msgs/RangeArray.hpp"
-#include "stetro_msgs/StairPose.hpp"
+#include "driver_fixture.hpp"
 
 namespace stetro_driver
 {
 namespace
 {
 
-namespace qos = stetro_dds::qos;
 namespace command = stetro_msgs::msg::Command_Constants;
 namespace status = stetro_msgs::msg::CommandStatus_Constants;
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 using stetro_msgs::msg::Command;
 using stetro_msgs::msg::CommandStatus;
-
-DriverSetup setup_of(const DriverParams & params)
-{
-  stetro_site::FlightSpec spec;
-  spec.id = "stairs";
-  spec.steps = stetro_site::equal_steps(16, 0.14, 0.32);
-  spec.width_foot_m = 2.05;
-  spec.width_top_m = 2.05;
-  spec.lower_floor = "ground";
-  spec.upper_floor = "first";
-  return DriverSetup{params, stetro_site::Flight{spec}, stetro_site::Robot{}};
-}
-
-DriverParams quiet()
-{
-  DriverParams params;
-  params.sim.world = "site";
-  params.sim.errors = no_errors();
-  params.sim.start = {-0.5, 1.025, 0.0};
-  return params;
-}
-
-stetro_dds::NodeOptions named(const char * name)
-{
-  stetro_dds::NodeOptions options;
-  options.name = name;
-  options.ns = "/stetro";
-  return options;
-}
-
-/// A driver, and beside it a node that listens to it and commands it, in one process.
-class DriverNodeTest : public ::testing::Test
-{
-protected:
-  DriverNodeTest() : context_(test::loopback()), observer_(context_, named("observer"))
-  {
-    command_ = &observer_.advertise<Command>("command", qos::kCommand);
-    pose_ = &observer_.advertise<geometry_msgs::msg::PoseWithCovarianceStamped>("pose", qos::kPose);
-    count<rosgraph_msgs::msg::Clock>("/clock", qos::kClock);
-    count<sensor_msgs::msg::Imu>("imu/data", qos::kSensor);
-    count<stetro_msgs::msg::RangeArray>("ranges", qos::kSensor);
-    count<stetro_msgs::msg::Contacts>("contacts", qos::kContacts);
-    count<stetro_msgs::msg::StairPose>("ground_truth", qos::kSensor);
-    observer_.subscribe<CommandStatus>(
-      "command_status", qos::kCommandStatus,
-      [this](const CommandStatus & message) { answers_.push_back(message); });
-    executor_.add(observer_);
-  }
-
-  void launch(const DriverParams & params)
-  {
-    driver_.emplace(context_, named("driver"), setup_of(params));
-    executor_.add(driver_->node());
-    ASSERT_TRUE(driver_->node().wait_matched({"command", "command_status", "ranges"}, seconds{10}));
-    driver_->start();
-    executor_.drain();
-  }
-
-  template <class Message>
-  void count(const char * topic, const stetro_dds::QosProfile & profile)
-  {
-    observer_.subscribe<Message>(
-      topic, profile, [this, topic](const Message &) { ++received_[topic]; });
-  }
-
-  void step(int ticks)
-  {
-    for (int i = 0; i < ticks; ++i) {
-      driver_->step();
-      executor_.drain();
-    }
-  }
-
-  [[nodiscard]] double x_m() const { return driver_->robot().truth().x_m; }
-
-  /// A valid command to roll forward at 0.1 m/s.
-  Command roll()
-  {
-    const Time now = driver_->robot().time();
-    Command message;
-    message.header().stamp().sec(static_cast<std::int32_t>(now.count() / 1'000'000'000));
-    message.header().stamp().nanosec(static_cast<std::uint32_t>(now.count() % 1'000'000'000));
-    message.sequence_number(++sequence_);
-    message.issuer("supervisor");
-    message.issuer_instance(7);
-    message.valid_for().nanosec(150'000'000);
-    message.kind(command::KIND_TWIST);
-    message.vx(0.1);
-    return message;
-  }
-
-  /// Sends a command and returns the driver's first answer to it.
-  CommandStatus ask(const Command & message)
-  {
-    answers_.clear();
-    command_->publish(message);
-    executor_.drain();
-    EXPECT_FALSE(answers_.empty());
-    return answers_.empty() ? CommandStatus{} : answers_.front();
-  }
-
-  stetro_dds::Context context_;
-  stetro_dds::Executor executor_;
-  stetro_dds::Node observer_;
-  std::optional<DriverNode> driver_;
-  stetro_dds::Publisher<Command> * command_ = nullptr;
-  stetro_dds::Publisher<geometry_msgs::msg::PoseWithCovarianceStamped> * pose_ = nullptr;
-  std::map<std::string, int> received_;
-  std::vector<CommandStatus> answers_;
-  std::uint64_t sequence_ = 0;
-};
+using test::quiet;
+using DriverNodeTest = test::DriverFixture;
 
 TEST_F(DriverNodeTest, TellsEachTopicAtItsRate)
 {
@@ -254,13 +130,43 @@ TEST_F(DriverNodeTest, RefusesAndCounts)
   wrong = roll();
   wrong.sequence_number(1);
   EXPECT_EQ(ask(wrong).reason(), status::REASON_OUT_OF_ORDER);
-  const auto & subscriptions = driver_->node().subscriptions();
-  for (const auto & subscription : subscriptions) {
-    if (subscription->topic() == "/stetro/command") {
-      EXPECT_EQ(subscription->counts().refused, 6u);
-      EXPECT_EQ(subscription->counts().refused_by_reason.at("not_finite"), 1u);
-    }
+  wrong = roll();
+  wrong.issuer(std::string(64, 's'));
+  EXPECT_EQ(ask(wrong).reason(), status::REASON_BAD_ISSUER);
+  const auto commands = counts("/stetro/command");
+  EXPECT_EQ(commands.refused, 7u);
+  ASSERT_EQ(commands.refused_by_reason.count("not_finite"), 1u);
+  EXPECT_EQ(commands.refused_by_reason.at("not_finite"), 1u);
+  EXPECT_EQ(commands.refused_by_reason.count("bad_issuer"), 1u);
+}
+
+TEST_F(DriverNodeTest, RefusesPosesThatNoLocalizerCanHaveMade)
+{
+  launch(quiet());
+  geometry_msgs::msg::PoseWithCovarianceStamped pose;
+  for (const int sec : {0, 5000}) {
+    pose.header().stamp().sec(sec);
+    pose_->publish(pose);
+    executor_.drain();
   }
+  EXPECT_EQ(counts("/stetro/pose").refused, 2u);
+  pose.header().stamp().sec(1000);
+  pose_->publish(pose);
+  executor_.drain();
+  EXPECT_EQ(counts("/stetro/pose").refused, 2u);
+}
+
+TEST_F(DriverNodeTest, WaitsOnlyForASupervisorThatItObeys)
+{
+  DriverParams params = quiet();
+  params.sim.speed = 50.0;
+  launch(params);
+  Command refused = roll();
+  refused.vx(99.0);
+  EXPECT_EQ(ask(refused).reason(), status::REASON_OUT_OF_BOUNDS);
+  const Time begin = stetro_dds::Clock::steady_now();
+  driver_->run(executor_, [&] { return driver_->robot().time() >= milliseconds{1'000'500}; });
+  EXPECT_LT(stetro_dds::Clock::steady_now() - begin, milliseconds{200}) << "10 ms, and no patience";
 }
 
 TEST_F(DriverNodeTest, RefusesCommandsWhileInactive)

@@ -138,11 +138,26 @@ TEST(SimFaults, TheEmergencyStopLatches)
   for (int tick = 0; tick < 100; ++tick) {
     robot.step();
   }
-  EXPECT_TRUE(pilot.frame().contact(ContactPlace::kEmergencyStop).closed) << "the button is out";
+  EXPECT_FALSE(pilot.frame().contact(ContactPlace::kEmergencyStop).closed) << "the button is out";
+  EXPECT_TRUE(pilot.frame().emergency_stop_latched);
   EXPECT_EQ(robot.write({})->kind, IoFaultKind::kEmergencyStop);
   robot.deactivate();
+  EXPECT_THROW(robot.activate(), HardwareError) << "power alone resets nothing";
+  robot.reset_emergency_stop();
+  EXPECT_FALSE(pilot.frame().emergency_stop_latched);
   robot.activate();
   EXPECT_FALSE(robot.write({}));
+}
+
+TEST(SimFaults, APressedEmergencyStopCannotBeReset)
+{
+  SimRobot robot{paper_stairs(), {}, with("estop@0.5-1")};
+  Pilot pilot{robot};
+  pilot.roll(0.05, 2.0);
+  robot.step();
+  ASSERT_TRUE(pilot.frame().contact(ContactPlace::kEmergencyStop).closed);
+  EXPECT_THROW(robot.reset_emergency_stop(), HardwareError);
+  EXPECT_TRUE(pilot.frame().emergency_stop_latched);
 }
 
 /// Brings a robot on tread 1 to where block 2 hangs in front of tread 2.

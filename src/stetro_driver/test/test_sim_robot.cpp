@@ -20,6 +20,8 @@
 #include <fstream>
 
 #include "pilot.hpp"
+#include "sim/archive.hpp"
+#include "sim/sim_world.hpp"
 #include "stetro_driver/sim_robot.hpp"
 
 namespace stetro_driver
@@ -236,6 +238,48 @@ TEST_F(SimRobotSnapshot, OfAnotherWorldIsReportedAndNotUsed)
   EXPECT_EQ(robot.resume_outcome(), ResumeOutcome::kForeign);
   EXPECT_EQ(robot.time(), std::chrono::seconds{1000});
   EXPECT_TRUE(std::filesystem::exists(path_ + ".refused")) << robot.resume_detail();
+}
+
+TEST_F(SimRobotSnapshot, KeepsALatchedEmergencyStop)
+{
+  options_.faults = parse_sim_faults("estop@0.5-0.6");
+  {
+    SimRobot robot{paper_stairs(), {}, options_};
+    Pilot pilot{robot};
+    for (int tick = 0; tick < 100; ++tick) {
+      robot.step();
+    }
+  }
+  SimRobot robot{paper_stairs(), {}, options_};
+  robot.configure();
+  EXPECT_TRUE(robot.read(robot.time()).value().emergency_stop_latched);
+  EXPECT_THROW(robot.activate(), HardwareError);
+  robot.reset_emergency_stop();
+  robot.activate();
+  EXPECT_FALSE(robot.write({}));
+}
+
+TEST_F(SimRobotSnapshot, OfAnotherLayoutIsOfAnotherWorld)
+{
+  EXPECT_NE(
+    identity_of(paper_stairs(), {}, options_),
+    identity_of(paper_stairs(), {}, options_, kStateLayout + 1));
+  // Whoever changes what a world stores changes this number, and kStateLayout with it.
+  EXPECT_EQ(kStateLayout, 2u);
+  EXPECT_EQ((SimRobot{paper_stairs(), {}, options_}.state().size()), 3723u);
+}
+
+TEST(StateReader, IsExhaustedByExactlyWhatIsThere)
+{
+  const std::vector<std::uint8_t> bytes(8);
+  std::uint32_t half = 0;
+  sim::StateReader reader{bytes};
+  reader(half);
+  EXPECT_FALSE(reader.exhausted());
+  reader(half);
+  EXPECT_TRUE(reader.exhausted());
+  reader(half);
+  EXPECT_FALSE(reader.exhausted()) << "asked for more than there was";
 }
 
 TEST_F(SimRobotSnapshot, ThatIsDamagedIsReportedAndNotUsed)

@@ -46,7 +46,11 @@ public:
   ~DriverNode();
 
   /// Configures the hardware, and powers it if the parameters say so. Standing and holding.
-  /** \throws HardwareError when it cannot be configured */
+  /**
+   * Stays inactive while an emergency stop is latched, also one of before a restart, until an
+   * operator asks to clear the fault with the button released.
+   * \throws HardwareError when it cannot be configured
+   */
   void start();
 
   /// One tick: the command in force, the world, the topics.

@@ -45,14 +45,15 @@ public:
   virtual void configure() = 0;
 
   /// Powers the motors, standing and holding.
-  /**
-   * Releases a latched emergency stop whose cause is gone.
-   * \throws HardwareError when the motors cannot be powered, and why
-   */
+  /** \throws HardwareError when they cannot be powered, and why; a latched emergency stop is one */
   virtual void activate() = 0;
 
   /// Stops, holds and takes the power from the motors; the lifts' brakes keep the blocks.
   virtual void deactivate() = 0;
+
+  /// Ends a latched emergency stop; standing and holding. Only ever because a person asks for it.
+  /** \throws HardwareError while the button is pressed */
+  virtual void reset_emergency_stop() = 0;
 
   /// What the sensors say now.
   virtual Result<SensorFrame> read(Time now) = 0;

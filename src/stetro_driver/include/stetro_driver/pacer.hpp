@@ -27,7 +27,7 @@ namespace stetro_driver
 /// Whom simulated time waits for.
 enum class Peer : std::uint8_t {
   kLocalizer,   ///< heard through its poses
-  kSupervisor,  ///< heard through its commands
+  kSupervisor,  ///< heard through its accepted commands
 };
 constexpr std::size_t kPeers = 2;
 

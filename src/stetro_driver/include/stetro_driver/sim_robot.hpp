@@ -95,6 +95,7 @@ public:
   void configure() override;  ///< opens the snapshot and resumes it \throws HardwareError
   void activate() override;
   void deactivate() override;
+  void reset_emergency_stop() override;
   Result<SensorFrame> read(Time now) override;  ///< now must be time()
   std::optional<IoFault> write(const JointCommand & command) override;
   void make_safe() noexcept override;

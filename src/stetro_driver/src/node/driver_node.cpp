@@ -23,6 +23,7 @@
 #include "stetro_dds/qos.hpp"
 #include "stetro_driver/pacer.hpp"
 #include "stetro_driver/site_shape.hpp"
+#include "stetro_msgs/MissionRequest.hpp"
 #include "stetro_msgs/PoseWithCovarianceStamped.hpp"
 
 namespace stetro_driver
@@ -34,8 +35,8 @@ using stetro_dds::Clock;
 using stetro_dds::LifecycleTransition;
 
 constexpr Time kLongestNap = std::chrono::milliseconds{20};  // between looks at `stop`
-/// A driver that took a world over in mid-climb moves nothing for so long: whoever commanded the one
-/// before it has then seen that this is another one, and does not go on as if nothing had been.
+/// A driver that took a world over in mid-climb moves nothing for so long: whoever commanded the
+/// one before it has then seen that this is another one, and does not go on as if nothing had been.
 constexpr Time kStandFirst = std::chrono::milliseconds{300};
 constexpr double kBearingLoad = 0.05;  // a block with this share of the weight stands
 
@@ -62,11 +63,14 @@ public:
     node_.subscribe<stetro_msgs::msg::Command>(
       "command", stetro_dds::qos::kCommand,
       [this](const stetro_msgs::msg::Command & message) { return take(to_request(message)); });
+    node_.subscribe<stetro_msgs::msg::MissionRequest>(
+      "mission", stetro_dds::qos::kMission,
+      [this](const stetro_msgs::msg::MissionRequest & message) { return take(message); });
     if (setup.params.sim.throttle) {
       node_.subscribe<geometry_msgs::msg::PoseWithCovarianceStamped>(
         "pose", stetro_dds::qos::kPose,
         [this](const geometry_msgs::msg::PoseWithCovarianceStamped & message) {
-          pacer_.hear(Peer::kLocalizer, to_time(message.header().stamp()), robot_.time());
+          return hear_localizer(to_time(message.header().stamp()));
         });
     }
     give_life();
@@ -89,11 +93,10 @@ public:
     if (robot_.resume_outcome() == ResumeOutcome::kResumed) {
       may_act_from_ = robot_.time() + kStandFirst;
     }
-    if (start_active_) {
-      if (const auto refusal = node_.lifecycle().request(LifecycleTransition::kActivate)) {
-        node_.log().error("stays inactive: {}", refusal->detail);
-      }
+    if (frame_.emergency_stop_latched) {
+      desk_.gate().latch_emergency_stop();
     }
+    activate_if_told();
   }
 
   void step()
@@ -110,7 +113,7 @@ public:
       return;
     }
     frame_ = read.value();
-    if (frame_.contact(ContactPlace::kEmergencyStop).closed) {
+    if (frame_.emergency_stop_latched) {
       desk_.gate().latch_emergency_stop();
     }
     topics_.publish(frame_);
@@ -141,8 +144,54 @@ public:
 private:
   std::optional<stetro_dds::Refusal> take(const CommandRequest & request)
   {
-    pacer_.hear(Peer::kSupervisor, request.stamp, robot_.time());
-    return desk_.offer(request, clocks(), situation());
+    auto refusal = desk_.offer(request, clocks(), situation());
+    if (!refusal) {
+      pacer_.hear(Peer::kSupervisor, request.stamp, robot_.time());
+    }
+    return refusal;
+  }
+
+  std::optional<stetro_dds::Refusal> hear_localizer(Time stamp)
+  {
+    if (stamp <= Time::zero() || stamp > robot_.time()) {
+      return stetro_dds::Refusal{"bad_stamp", "stamp zero, negative or in the future"};
+    }
+    pacer_.hear(Peer::kLocalizer, stamp, robot_.time());
+    return std::nullopt;
+  }
+
+  /// Whoever asks the supervisor to clear a fault asks us to end a latched emergency stop.
+  std::optional<stetro_dds::Refusal> take(const stetro_msgs::msg::MissionRequest & message)
+  {
+    if (
+      message.kind() != stetro_msgs::msg::MissionRequest_Constants::KIND_CLEAR_FAULT ||
+      !frame_.emergency_stop_latched) {
+      return std::nullopt;  // the supervisor's to judge
+    }
+    if (message.request_id().size() == 0 || message.issuer().size() == 0) {
+      return stetro_dds::Refusal{"bad_issuer", "request_id or issuer is empty"};
+    }
+    try {
+      robot_.reset_emergency_stop();
+    } catch (const HardwareError & error) {
+      return stetro_dds::Refusal{"emergency_stop", error.what()};
+    }
+    frame_.emergency_stop_latched = false;
+    desk_.gate().reset_emergency_stop();
+    node_.log().info("emergency stop reset: asked for by '{}'", message.issuer().c_str());
+    activate_if_told();
+    return std::nullopt;
+  }
+
+  /// Powers the motors if the parameters say so and nothing speaks against it.
+  void activate_if_told()
+  {
+    if (!start_active_ || node_.lifecycle().active()) {
+      return;
+    }
+    if (const auto refusal = node_.lifecycle().request(LifecycleTransition::kActivate)) {
+      node_.log().error("stays inactive: {}", refusal->detail);
+    }
   }
 
   /// In a run by hand no clock is read: steady time is then simulated time, too.
@@ -155,7 +204,7 @@ private:
   {
     GateSituation situation;
     situation.active = node_.lifecycle().active() && robot_.time() >= may_act_from_;
-    situation.emergency_stop = frame_.contact(ContactPlace::kEmergencyStop).closed;
+    situation.emergency_stop = frame_.emergency_stop_latched;
     situation.steering_rad = frame_.steering.angle_rad;
     situation.steering_moving = frame_.steering.moving;
     for (std::size_t i = 0; i < kBlocks; ++i) {
@@ -211,10 +260,7 @@ void DriverNode::Body::give_life()
     return attempt([this] { robot_.configure(); });
   });
   life.on(LifecycleTransition::kActivate, [this, attempt] {
-    return attempt([this] {
-      robot_.activate();
-      desk_.gate().reset_emergency_stop();
-    });
+    return attempt([this] { robot_.activate(); });
   });
   const auto let_go = [this]() -> std::optional<stetro_dds::Refusal> {
     desk_.gate().drop();

@@ -47,9 +47,17 @@ void SimContacts::observe(const SimBody & body, Time now, const FaultInjector & 
   look(ContactPlace::kRiserRight, body.switch_gap_m(-body.shape().switch_y_m));
 }
 
-void SimContacts::latch_emergency_stop(bool latched, Time now)
+void SimContacts::press_emergency_stop(bool pressed, Time now)
 {
-  set(ContactPlace::kEmergencyStop, latched, now);
+  set(ContactPlace::kEmergencyStop, pressed, now);
+  emergency_stop_latched_ = emergency_stop_latched_ || pressed;
+}
+
+bool SimContacts::reset_emergency_stop()
+{
+  emergency_stop_latched_ =
+    readings_[static_cast<std::size_t>(ContactPlace::kEmergencyStop)].closed;
+  return !emergency_stop_latched_;
 }
 
 void SimContacts::set(ContactPlace place, bool closed, Time now)

@@ -36,8 +36,13 @@ public:
   /// Looks at the gaps and remembers what changed when.
   void observe(const SimBody & body, Time now, const FaultInjector & faults);
 
-  /// Presses or clears the emergency stop; once pressed it stays latched until released.
-  void latch_emergency_stop(bool latched, Time now);
+  /// Presses or releases the button of the emergency stop. Pressed once, it stays latched.
+  void press_emergency_stop(bool pressed, Time now);
+
+  /// Ends the latch. \return whether it has ended: not while the button is pressed
+  bool reset_emergency_stop();
+
+  [[nodiscard]] bool emergency_stop_latched() const { return emergency_stop_latched_; }
 
   [[nodiscard]] const std::array<ContactReading, kContactPlaces> & readings() const
   {
@@ -50,6 +55,7 @@ public:
     for (ContactReading & reading : readings_) {
       each(reading.closed, reading.fault, reading.last_change);
     }
+    each(emergency_stop_latched_);
   }
 
 private:
@@ -57,6 +63,7 @@ private:
 
   std::array<double, kContactPlaces> closing_gap_m_{};
   std::array<ContactReading, kContactPlaces> readings_{};
+  bool emergency_stop_latched_ = false;
 };
 
 }  // namespace stetro_driver::sim

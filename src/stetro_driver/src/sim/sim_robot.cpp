@@ -86,10 +86,9 @@ void SimRobot::activate()
     throw HardwareError(
       "the simulated robot has fallen: " + std::string(to_string(world_->body.fall())));
   }
-  if (world_->faults.acting(SimFaultKind::kEmergencyStop)) {
-    throw HardwareError("the emergency stop is pressed");
+  if (world_->contacts.emergency_stop_latched()) {
+    throw HardwareError("the emergency stop is latched, accepted: after its reset");
   }
-  world_->contacts.latch_emergency_stop(false, world_->time);
   world_->hold();
   world_->safe = false;
   world_->active = true;
@@ -99,6 +98,15 @@ void SimRobot::deactivate()
 {
   world_->hold();
   world_->active = false;
+}
+
+void SimRobot::reset_emergency_stop()
+{
+  if (!world_->contacts.reset_emergency_stop()) {
+    throw HardwareError("the emergency stop is pressed, accepted: after its release");
+  }
+  world_->hold();
+  world_->frame.emergency_stop_latched = false;
 }
 
 Result<SensorFrame> SimRobot::read(Time now)
@@ -121,7 +129,7 @@ std::optional<IoFault> SimRobot::write(const JointCommand & command)
   if (!world_->active || world_->safe.load()) {
     return IoFault{IoFaultKind::kNotActive, "the motors have no power"};
   }
-  if (world_->contacts.readings().back().closed) {
+  if (world_->contacts.emergency_stop_latched()) {
     return IoFault{IoFaultKind::kEmergencyStop, "the emergency stop is latched"};
   }
   if (world_->body.fall() != sim::Fall::kNone) {

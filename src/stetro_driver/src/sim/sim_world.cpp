@@ -41,12 +41,29 @@ sim::StairWorld built(const StairShape & stairs, const SimOptions & options)
   return sim::StairWorld{stairs};
 }
 
-/// A number that differs when anything differs that two worlds must share.
+sim::BodyPose start_of(const StairShape & stairs, const SimOptions & options)
+{
+  if (options.start) {
+    return {options.start->x_m, options.start->y_m, options.start->yaw_rad};
+  }
+  sim::RandomStream random{options.seed, "start"};
+  sim::BodyPose pose;
+  pose.x_m = -kStartDistance + random.uniform(-kStartSpread, kStartSpread);
+  pose.y_m =
+    (stairs.width_foot_m + stairs.width_top_m) / 4.0 + random.uniform(-kStartSpread, kStartSpread);
+  pose.yaw_rad = random.uniform(-kStartTurn, kStartTurn);
+  return pose;
+}
+
+}  // namespace
+
 std::uint64_t identity_of(
-  const StairShape & stairs, const BodyShape & body, const SimOptions & options)
+  const StairShape & stairs, const BodyShape & body, const SimOptions & options,
+  std::uint32_t layout)
 {
   std::vector<std::uint8_t> bytes;
   sim::StateWriter each{bytes};
+  each(layout);
   StairShape shape = stairs;
   for (std::size_t i = 0; i < shape.riser_m.size(); ++i) {
     each(shape.riser_m[i], shape.tread_m[i]);
@@ -70,22 +87,6 @@ std::uint64_t identity_of(
   bytes.insert(bytes.end(), errors.begin(), errors.end());
   return sim::checksum_of(bytes.data(), bytes.size());
 }
-
-sim::BodyPose start_of(const StairShape & stairs, const SimOptions & options)
-{
-  if (options.start) {
-    return {options.start->x_m, options.start->y_m, options.start->yaw_rad};
-  }
-  sim::RandomStream random{options.seed, "start"};
-  sim::BodyPose pose;
-  pose.x_m = -kStartDistance + random.uniform(-kStartSpread, kStartSpread);
-  pose.y_m =
-    (stairs.width_foot_m + stairs.width_top_m) / 4.0 + random.uniform(-kStartSpread, kStartSpread);
-  pose.yaw_rad = random.uniform(-kStartTurn, kStartTurn);
-  return pose;
-}
-
-}  // namespace
 
 SimRobot::World::World(
   const StairShape & stair_shape, const BodyShape & body_shape, const SimOptions & sim_options)
@@ -116,15 +117,26 @@ void SimRobot::World::open_snapshot()
   snapshot = std::make_unique<sim::SnapshotFile>(options.snapshot_path, identity, fresh.size());
   resume_outcome = snapshot->found().outcome;
   resume_detail = snapshot->found().detail;
-  if (resume_outcome == ResumeOutcome::kResumed) {
-    sim::StateReader reader{snapshot->found().bytes};
-    archive(reader);
-    faults.advance(time_to_seconds(time - options.origin));
-    compose_frame();
-  } else {
+  if (resume_outcome == ResumeOutcome::kResumed && !resume(snapshot->found().bytes)) {
+    static_cast<void>(resume(fresh));
+    snapshot->refuse_found("its state has another layout");
+    resume_outcome = snapshot->found().outcome;
+    resume_detail = snapshot->found().detail;
+  }
+  if (resume_outcome != ResumeOutcome::kResumed) {
     stored_ = fresh;
     snapshot->store(stored_);
   }
+}
+
+/// Takes a state over. \return whether it was one, to its last byte
+bool SimRobot::World::resume(const std::vector<std::uint8_t> & bytes)
+{
+  sim::StateReader reader{bytes};
+  archive(reader);
+  faults.advance(time_to_seconds(time - options.origin));
+  compose_frame();
+  return reader.exhausted();
 }
 
 void SimRobot::World::hold() { command = JointCommand{}; }
@@ -136,7 +148,7 @@ void SimRobot::World::tick()
   faults.advance(time_to_seconds(time - options.origin));
   strike_faults();
   const bool may_move =
-    active && !safe.load() && body.fall() == sim::Fall::kNone && !contacts.readings().back().closed;
+    active && !safe.load() && body.fall() == sim::Fall::kNone && !contacts.emergency_stop_latched();
   if (!may_move) {
     hold();
   }
@@ -161,9 +173,7 @@ void SimRobot::World::strike_faults()
   if (const SimFault * carried = faults.strike(SimFaultKind::kKidnap)) {
     kidnap(carried->value);
   }
-  if (faults.acting(SimFaultKind::kEmergencyStop)) {
-    contacts.latch_emergency_stop(true, time);
-  }
+  contacts.press_emergency_stop(faults.acting(SimFaultKind::kEmergencyStop) != nullptr, time);
 }
 
 void SimRobot::World::kidnap(double to_the_left_m)
@@ -251,6 +261,7 @@ void SimRobot::World::compose_frame()
   }
   frame.time = time;
   frame.contacts = contacts.readings();
+  frame.emergency_stop_latched = contacts.emergency_stop_latched();
   frame.ranges_complete = ranges.deliver(ticks, time, faults, frame.ranges);
   frame.blocks = lifts.measure(body, command, ticks, lift_moved);
   frame.steering = steering;

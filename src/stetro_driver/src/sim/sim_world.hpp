@@ -37,6 +37,14 @@
 namespace stetro_driver
 {
 
+/// Of what World::archive() lists, and in which order. To be raised with every change of either.
+constexpr std::uint32_t kStateLayout = 2;
+
+/// A number that differs when anything differs that two worlds must share to share a snapshot.
+[[nodiscard]] std::uint64_t identity_of(
+  const StairShape & stairs, const BodyShape & body, const SimOptions & options,
+  std::uint32_t layout = kStateLayout);
+
 /// Stairs, body, wheels and sensors of one simulated robot, and the tick that moves them all.
 struct SimRobot::World
 {
@@ -94,6 +102,7 @@ struct SimRobot::World
   std::string resume_detail{};
 
 private:
+  [[nodiscard]] bool resume(const std::vector<std::uint8_t> & bytes);
   void strike_faults();
   [[nodiscard]] sim::WheelSpeeds actuate();
   void move(const sim::WheelSpeeds & told);

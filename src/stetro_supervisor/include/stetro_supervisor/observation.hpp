@@ -76,7 +76,7 @@ struct Contacts
   std::array<Contact, 3> right{};  ///< bumpers, front to rear
   Contact riser_left{};            ///< on block 2's front edge (SW1 of S-P)
   Contact riser_right{};           ///< SW2 of S-P
-  Contact emergency_stop{};        ///< closed while latched
+  Contact emergency_stop{};        ///< closed while pressed
 };
 
 struct Block
