@@ -24,13 +24,14 @@ RobotConfiguration configure_robot(stetro_dds::Launch & launch)
     launch.configure<stetro_localizer::LocalizerParams>("localizer", "/stetro");
   const auto supervisor =
     launch.configure<stetro_supervisor::SupervisorParams>("supervisor", "/stetro");
+  const auto stairs = stetro_localizer::read_setup(localizer.params, launch.faults());
   launch.check();
-  return {driver.options, setup.value(), localizer, supervisor};
+  return {driver.options, setup.value(), localizer.options, stairs.value(), supervisor};
 }
 
 Robot::Robot(stetro_dds::Context & context, const RobotConfiguration & configuration)
 : driver_(context, configuration.driver_options, configuration.driver),
-  localizer_(context, configuration.localizer.options, configuration.localizer.params),
+  localizer_(context, configuration.localizer_options, configuration.localizer),
   supervisor_(context, configuration.supervisor.options, configuration.supervisor.params)
 {
   executor_.add(driver_.node());

@@ -22,7 +22,7 @@
 #include "stetro_driver/driver_node.hpp"
 #include "stetro_driver/driver_setup.hpp"
 #include "stetro_localizer/localizer_node.hpp"
-#include "stetro_localizer/params.hpp"
+#include "stetro_localizer/localizer_setup.hpp"
 #include "stetro_supervisor/supervisor_node.hpp"
 #include "stetro_supervisor/supervisor_params.hpp"
 
@@ -34,7 +34,8 @@ struct RobotConfiguration
 {
   stetro_dds::NodeOptions driver_options;
   stetro_driver::DriverSetup driver;
-  stetro_dds::Configured<stetro_localizer::LocalizerParams> localizer;
+  stetro_dds::NodeOptions localizer_options;
+  stetro_localizer::LocalizerSetup localizer;
   stetro_dds::Configured<stetro_supervisor::SupervisorParams> supervisor;
 };
 
