@@ -25,6 +25,9 @@ namespace stetro_dds
 namespace
 {
 
+constexpr Time kLongestStep = std::chrono::seconds{10};
+constexpr int kAgreement = 10;  // settings in a row that make a jump believed
+
 std::string in_seconds(Time time)
 {
   return std::to_string(std::chrono::duration<double>(time).count()) + " s";
@@ -59,8 +62,30 @@ std::optional<Refusal> Clock::set(Time now)
     return Refusal{
       "time runs backwards", in_seconds(now) + ", accepted is at least " + in_seconds(simulated_)};
   }
+  if (is_stray_jump(now)) {
+    ++simulated_faults_.forwards;
+    return Refusal{
+      "time jumps", in_seconds(now) + ", accepted is at most " +
+                      in_seconds(simulated_ + kLongestStep) + " or several that agree"};
+  }
   simulated_ = now;
   return std::nullopt;
+}
+
+bool Clock::is_stray_jump(Time now)
+{
+  if (simulated_ == Time{0} || now - simulated_ <= kLongestStep) {
+    agreeing_ = 0;
+    return false;
+  }
+  const bool agrees = agreeing_ > 0 && now >= jumped_to_ && now - jumped_to_ <= kLongestStep;
+  agreeing_ = agrees ? agreeing_ + 1 : 1;
+  jumped_to_ = now;
+  if (agreeing_ < kAgreement) {
+    return true;
+  }
+  agreeing_ = 0;
+  return false;
 }
 
 ClockFaults Clock::faults() const

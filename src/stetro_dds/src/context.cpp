@@ -126,13 +126,27 @@ ContextOptions ContextOptions::from_environment()
   return options;
 }
 
+namespace
+{
+
+// Later distributions look for peers on this computer but listen on every interface.
+const char * reach_of(const ContextOptions & options)
+{
+  if (options.scope == NetworkScope::kSubnet) {
+    return "the subnet";
+  }
+  return options.distro == RosDistro::kHumble
+           ? "this computer only"
+           : "peers of this computer, open to others as its ROS 2 is";
+}
+
+}  // namespace
+
 Context::Context(const ContextOptions & options)
 : options_(options), participant_(std::make_unique<Participant>(options_))
 {
   spdlog::info(
-    "domain {}, {}, ROS 2 {}", options_.domain_id,
-    options_.scope == NetworkScope::kLocalhost ? "this computer only" : "the subnet",
-    name_of(options_.distro));
+    "domain {}, {}, ROS 2 {}", options_.domain_id, reach_of(options_), name_of(options_.distro));
 }
 
 Context::~Context() = default;

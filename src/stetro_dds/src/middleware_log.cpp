@@ -35,7 +35,7 @@ void MiddlewareLog::install()
   static std::once_flag once;
   std::call_once(once, [] {
     Log::ClearConsumers();
-    Log::RegisterConsumer(std::make_unique<MiddlewareLog>());
+    Log::RegisterConsumer(std::make_unique<MiddlewareLog>(spdlog::default_logger()));
     Log::SetVerbosity(Log::Kind::Warning);
   });
 }
@@ -45,7 +45,7 @@ void MiddlewareLog::Consume(const Log::Entry & entry)
   const auto now = std::chrono::steady_clock::now();
   if (now - second_ > std::chrono::seconds(1)) {
     if (suppressed_ > 0) {
-      spdlog::warn("middleware: {} lines not shown", suppressed_);
+      log_->warn("middleware: {} lines not shown", suppressed_);
     }
     second_ = now;
     lines_in_second_ = 0;
@@ -56,7 +56,7 @@ void MiddlewareLog::Consume(const Log::Entry & entry)
     return;
   }
   const bool error = entry.kind == Log::Kind::Error;
-  spdlog::log(error ? spdlog::level::warn : spdlog::level::debug, "middleware: {}", entry.message);
+  log_->log(error ? spdlog::level::warn : spdlog::level::debug, "middleware: {}", entry.message);
 }
 
 }  // namespace stetro_dds

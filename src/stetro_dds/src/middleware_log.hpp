@@ -15,8 +15,12 @@
 #ifndef MIDDLEWARE_LOG_HPP_
 #define MIDDLEWARE_LOG_HPP_
 
+#include <spdlog/logger.h>
+
 #include <chrono>
 #include <cstdint>
+#include <memory>
+#include <utility>
 
 #include "fastdds/dds/log/Log.hpp"
 
@@ -28,12 +32,16 @@ namespace stetro_dds
 class MiddlewareLog : public eprosima::fastdds::dds::LogConsumer
 {
 public:
-  /// Replaces the middleware's own output, once per process.
+  /// Replaces the middleware's own output, once per process, by the default logger of that moment.
   static void install();
+
+  /// The logger is kept: the middleware's log thread outlives the registry of loggers at exit.
+  explicit MiddlewareLog(std::shared_ptr<spdlog::logger> log) : log_(std::move(log)) {}
 
   void Consume(const eprosima::fastdds::dds::Log::Entry & entry) override;
 
 private:
+  const std::shared_ptr<spdlog::logger> log_;
   std::chrono::steady_clock::time_point second_{};
   int lines_in_second_ = 0;
   std::uint64_t suppressed_ = 0;

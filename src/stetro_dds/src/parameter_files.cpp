@@ -14,6 +14,8 @@
 
 #include "stetro_dds/parameter_files.hpp"
 
+#include <algorithm>
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>
@@ -28,6 +30,12 @@ namespace
 {
 
 constexpr char kParameters[] = "ros__parameters";
+constexpr std::ptrdiff_t kDeepestName = 32;  // an alias of its own map nests for ever
+
+std::ptrdiff_t depth_of(const std::string & name)
+{
+  return std::count(name.begin(), name.end(), '/');
+}
 
 /// "/a/b" as {"a", "b"}.
 std::vector<std::string> parts_of(const std::string & name)
@@ -97,7 +105,7 @@ void ParameterFiles::collect(
       } else if (!value.IsNull()) {
         faults.add({file, line, key, stetro_config::excerpt(value), "a map of parameters"});
       }
-    } else if (value.IsMap() && key != kParameters) {
+    } else if (value.IsMap() && key != kParameters && depth_of(prefix) < kDeepestName) {
       collect(value, prefix + (key.substr(0, 1) == "/" ? "" : "/") + key, file, faults);
     } else {
       faults.add(

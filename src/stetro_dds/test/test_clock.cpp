@@ -65,6 +65,30 @@ TEST(SimulatedClock, RefusesTimeZeroAndThePast)
   EXPECT_EQ(clock.faults().backwards, 1U);
 }
 
+TEST(SimulatedClock, RefusesAStrayJumpAndGoesOn)
+{
+  Clock clock(TimeSource::kClockTopic);
+  ASSERT_FALSE(clock.set(1000s));
+  const auto refusal = clock.set(2000000000s);
+  ASSERT_TRUE(refusal);
+  EXPECT_EQ(refusal->reason, "time jumps");
+  EXPECT_EQ(clock.now(), 1000s);
+  EXPECT_FALSE(clock.set(1000s + 10ms)) << "the true time is followed all the same";
+  EXPECT_EQ(clock.faults().forwards, 1u);
+}
+
+TEST(SimulatedClock, BelievesAJumpThatManySettingsAgreeOn)
+{
+  Clock clock(TimeSource::kClockTopic);
+  ASSERT_FALSE(clock.set(1000s));
+  int refused = 0;
+  while (refused < 100 && clock.set(1100s + refused * 10ms)) {
+    ++refused;
+  }
+  EXPECT_EQ(refused, 9);
+  EXPECT_EQ(clock.now(), 1100s + 9 * 10ms);
+}
+
 TEST(SimulatedClock, MayBeToldTheSameTimeTwice)
 {
   Clock clock(TimeSource::kByHand);

@@ -85,6 +85,14 @@ TEST(ParameterFiles, RefuseAnotherLayout)
   EXPECT_EQ(faults[1].line, 3);
 }
 
+TEST(ParameterFiles, RefuseAMapThatContainsItself)
+{
+  stetro_config::Faults faults;
+  const ParameterFile file("a: &a {b: *a}\n");
+  const ParameterFiles files({file.path()}, faults);
+  EXPECT_FALSE(faults.empty()) << "and the stack is still there";
+}
+
 TEST(ParameterFiles, RefuseAFileThatIsNotThere)
 {
   stetro_config::Faults faults;

@@ -56,7 +56,12 @@ public:
 
   /// Sets simulated time. Repeating the present value is accepted and changes nothing.
   /**
-   * \return a refusal for zero, for the past, and on a system clock; the time is unchanged then
+   * A jump ahead of more than ten seconds is refused until as many settings in a row have agreed on
+   * it: one stray message must not take a node into a future that it can never leave, and a process
+   * that was stopped for a while finds its time again.
+   *
+   * \return a refusal for zero, for the past, for a jump and on a system clock; the time is
+   *   unchanged then
    */
   std::optional<Refusal> set(Time now);
 
@@ -66,7 +71,11 @@ private:
   const TimeSource source_;
   mutable std::mutex mutex_;
   mutable MonotoneTime system_;
+  [[nodiscard]] bool is_stray_jump(Time now);
+
   Time simulated_{0};
+  Time jumped_to_{0};  ///< last setting refused as a jump
+  int agreeing_ = 0;   ///< settings in a row that agree with it
   ClockFaults simulated_faults_;
 };
 
