@@ -63,7 +63,8 @@ void ClimbReport::add_sweeping(const TraceRow & row)
     return;
   }
   if (row.truth->step != row.estimate.step) {
-    ++errors_.wrong_step;
+    ++errors_.wrong_step;  // places on two treads have no difference worth a mean
+    return;
   }
   const double y = row.estimate.tread_y_m - row.truth->tread_y_m;
   const double x = row.estimate.tread_x_m - row.truth->tread_x_m;
@@ -106,15 +107,18 @@ void print_table(std::ostream & out, const ClimbReport & report)
 void write_steps_csv(std::ostream & out, const ClimbReport & report)
 {
   out << "step,estimates,y_max_m,y_min_m,closure_error_m,y_rmse_m,y_max_error_m,x_rmse_m,"
-         "x_mean_error_m,heading_rmse_rad,heading_max_error_rad\n";
+         "x_mean_error_m,heading_mean_error_rad,heading_std_rad,heading_rmse_rad,"
+         "heading_max_error_rad\n";
   for (const StepRow & step : report.steps()) {
-    std::array<char, 256> line{};
-    std::snprintf(
-      line.data(), line.size(), "%d,%zu,%.6f,%.6f,%.6f,%.6f,%.6f,%.6f,%.6f,%.6f,%.6f\n", step.step,
-      step.estimates, step.y_max_m, step.y_min_m, step.closure_error_m, step.y_error_m.rms(),
-      step.y_error_m.max_abs(), step.x_error_m.rms(), step.x_error_m.mean(),
-      step.heading_error_rad.rms(), step.heading_error_rad.max_abs());
-    out << line.data();
+    out << step.step << ',' << step.estimates;
+    for (const double value :
+         {step.y_max_m, step.y_min_m, step.closure_error_m, step.y_error_m.rms(),
+          step.y_error_m.max_abs(), step.x_error_m.rms(), step.x_error_m.mean(),
+          step.heading_error_rad.mean(), step.heading_error_rad.standard_deviation(),
+          step.heading_error_rad.rms(), step.heading_error_rad.max_abs()}) {
+      put_field(out, value);
+    }
+    out << '\n';
   }
 }
 

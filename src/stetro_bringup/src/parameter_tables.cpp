@@ -27,7 +27,8 @@ namespace
 template <class Params>
 void print(const char * title, const char * about)
 {
-  std::cout << "\n## " << title << "\n\n" << about << "\n\n"
+  std::cout << "\n## " << title << "\n\n"
+            << about << "\n\n"
             << stetro_config::reference_table<Params>();
 }
 
@@ -35,11 +36,12 @@ void print(const char * title, const char * about)
 
 int main()
 {
-  std::cout << "# Parameters\n\n"
-               "Written by `stetro_parameter_tables`; a test holds this page to the code. Files have the\n"
-               "layout of ROS 2 (`/stetro/driver:`, below it `ros__parameters:`), the command line is\n"
-               "`--ros-args --params-file FILE -p name:=value`. An unknown name, a wrong type or a value\n"
-               "that is not accepted ends the program with exit code 2 and a list of every fault.\n";
+  std::cout
+    << "# Parameters\n\n"
+       "Written by `stetro_parameter_tables`; a test holds this page to the code. Files have the\n"
+       "layout of ROS 2 (`/stetro/driver:`, below it `ros__parameters:`), the command line is\n"
+       "`--ros-args --params-file FILE -p name:=value`. An unknown name, a wrong type or a value\n"
+       "that is not accepted ends the program with exit code 2 and a list of every fault.\n";
   print<stetro_dds::NodeParams>("Every node", "How a component talks and which time it follows.");
   print<stetro_driver::DriverParams>("Driver", "Node `/stetro/driver`.");
   print<stetro_localizer::LocalizerParams>("Localizer", "Node `/stetro/localizer`.");

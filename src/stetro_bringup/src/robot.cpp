@@ -20,19 +20,22 @@ RobotConfiguration configure_robot(stetro_dds::Launch & launch)
 {
   const auto driver = launch.configure<stetro_driver::DriverParams>("driver", "/stetro");
   const auto setup = stetro_driver::read_setup(driver.params, launch.faults());
-  const auto localizer =
-    launch.configure<stetro_localizer::LocalizerParams>("localizer", "/stetro");
-  const auto supervisor =
-    launch.configure<stetro_supervisor::SupervisorParams>("supervisor", "/stetro");
+  auto localizer = launch.configure<stetro_localizer::LocalizerParams>("localizer", "/stetro");
+  auto supervisor = launch.configure<stetro_supervisor::SupervisorParams>("supervisor", "/stetro");
+  if (driver.params.hardware == "sim") {  // who simulates the robot makes the time of all three
+    localizer.options.time = supervisor.options.time = stetro_dds::TimeSource::kClockTopic;
+  }
+  const auto climb = stetro_supervisor::read_setup(supervisor.params, launch.faults());
   const auto stairs = stetro_localizer::read_setup(localizer.params, launch.faults());
   launch.check();
-  return {driver.options, setup.value(), localizer.options, stairs.value(), supervisor};
+  return {driver.options, setup.value(),      localizer.options,
+          stairs.value(), supervisor.options, climb.value()};
 }
 
 Robot::Robot(stetro_dds::Context & context, const RobotConfiguration & configuration)
 : driver_(context, configuration.driver_options, configuration.driver),
   localizer_(context, configuration.localizer_options, configuration.localizer),
-  supervisor_(context, configuration.supervisor.options, configuration.supervisor.params)
+  supervisor_(context, configuration.supervisor_options, configuration.supervisor)
 {
   executor_.add(driver_.node());
   executor_.add(localizer_.node());

@@ -49,6 +49,8 @@ std::string summary_json(const ClimbOutcome & outcome, const ClimbErrors & error
   summary["x_mean_error_m"] = known(errors.x_error_m.mean());
   summary["heading_rmse_rad"] = known(errors.heading_error_rad.rms());
   summary["heading_mean_error_rad"] = known(errors.heading_error_rad.mean());
+  summary["heading_std_rad"] = known(errors.heading_error_rad.standard_deviation());
+  summary["heading_max_error_rad"] = known(errors.heading_error_rad.max_abs());
   summary["closure_error_mean_m"] = known(errors.closure_error_m.mean());
   summary["closure_error_std_m"] = known(errors.closure_error_m.standard_deviation());
   summary["estimates_on_wrong_step"] = errors.wrong_step;
@@ -76,9 +78,8 @@ void print_summary(std::ostream & out, const ClimbOutcome & outcome, const Climb
     100.0 * errors.x_error_m.mean());
   if (outcome.estimator == "paper") {
     out
-      << "                (the papers report the middle of the tread, S-B eq. (1); the robot "
-         "sweeps\n"
-         "                7.5 cm nearer to the riser, so that offset is theirs by construction)\n";
+      << "                (the papers report the middle of the tread, S-B eq. (1), and the robot\n"
+         "                sweeps nearer to the riser: the average is theirs by construction)\n";
   }
   line(
     "  heading error %6.2f deg rms, %.2f deg on average\n",

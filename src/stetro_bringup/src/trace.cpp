@@ -22,7 +22,22 @@ namespace stetro_bringup
 namespace
 {
 
-void put(std::ostream & out, double value)
+void put(std::ostream & out, const StairSample & sample)
+{
+  out << ',' << sample.step;
+  for (const double value :
+       {sample.x_m, sample.y_m, sample.z_m, sample.heading_rad, sample.tread_x_m,
+        sample.tread_y_m}) {
+    put_field(out, value);
+  }
+}
+
+constexpr const char * kPoseColumns[] = {"step",        "x_m",       "y_m",      "z_m",
+                                         "heading_rad", "tread_x_m", "tread_y_m"};
+
+}  // namespace
+
+void put_field(std::ostream & out, double value)
 {
   out << ',';
   if (std::isnan(value)) {
@@ -36,21 +51,6 @@ void put(std::ostream & out, double value)
   std::snprintf(text.data(), text.size(), "%.6f", value);
   out << text.data();
 }
-
-void put(std::ostream & out, const StairSample & sample)
-{
-  out << ',' << sample.step;
-  for (const double value :
-       {sample.x_m, sample.y_m, sample.z_m, sample.heading_rad, sample.tread_x_m,
-        sample.tread_y_m}) {
-    put(out, value);
-  }
-}
-
-constexpr const char * kPoseColumns[] = {"step",        "x_m",       "y_m",      "z_m",
-                                         "heading_rad", "tread_x_m", "tread_y_m"};
-
-}  // namespace
 
 TraceWriter::TraceWriter(std::ostream & out) : out_(out)
 {
@@ -77,7 +77,7 @@ void TraceWriter::write(const TraceRow & row)
     out_ << std::string(std::size(kPoseColumns), ',');
   }
   for (const double sigma : {row.sigma.x_m, row.sigma.y_m, row.sigma.z_m, row.sigma.heading_rad}) {
-    put(out_, sigma);
+    put_field(out_, sigma);
   }
   out_ << ',' << row.integrity << ',' << row.reasons;
   for (const char * sensor : kTraceSensors) {
@@ -86,7 +86,7 @@ void TraceWriter::write(const TraceRow & row)
       out_ << ",,";
       continue;
     }
-    put(out_, found->second.range_m);
+    put_field(out_, found->second.range_m);
     out_ << ',' << found->second.outcome;
   }
   out_ << '\n';

@@ -76,9 +76,11 @@ TEST(ClimbReport, CountsEstimatesOnTheWrongStep)
 {
   ClimbReport report{kPapers};
   auto row = sweeping(3, 1.0, 1.0);
-  row.truth->step = 2;
+  row.truth->step = 0;
+  row.truth->tread_x_m = std::nan("");  // the floor is no tread
   report.add_sweeping(row);
   EXPECT_EQ(report.errors().wrong_step, 1u);
+  EXPECT_EQ(report.errors().y_error_m.count(), 0u);
 }
 
 TEST(ClimbReport, HasNoErrorsWithoutTruth)
@@ -102,7 +104,9 @@ TEST(ClimbReport, WritesARowATread)
 {
   ClimbReport report{kPapers};
   report.add_sweeping(sweeping(1, 1.0, 1.0));
-  report.add_sweeping(sweeping(2, 1.0, 1.0));
+  auto unseen = sweeping(2, 1.0, 1.0);
+  unseen.truth.reset();
+  report.add_sweeping(unseen);
   report.add_sweeping(sweeping(0, 1.0, 1.0));  // the floor is not a tread
   std::ostringstream csv;
   write_steps_csv(csv, report);
@@ -114,6 +118,7 @@ TEST(ClimbReport, WritesARowATread)
   EXPECT_EQ(line.substr(0, 4), "1,1,");
   ASSERT_TRUE(std::getline(lines, line));
   EXPECT_EQ(line.substr(0, 4), "2,1,");
+  EXPECT_EQ(line.find("nan"), std::string::npos) << "what is not known stays empty: " << line;
   EXPECT_FALSE(std::getline(lines, line));
 }
 

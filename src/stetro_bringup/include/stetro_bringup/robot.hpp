@@ -24,7 +24,7 @@
 #include "stetro_localizer/localizer_node.hpp"
 #include "stetro_localizer/localizer_setup.hpp"
 #include "stetro_supervisor/supervisor_node.hpp"
-#include "stetro_supervisor/supervisor_params.hpp"
+#include "stetro_supervisor/supervisor_setup.hpp"
 
 namespace stetro_bringup
 {
@@ -36,7 +36,8 @@ struct RobotConfiguration
   stetro_driver::DriverSetup driver;
   stetro_dds::NodeOptions localizer_options;
   stetro_localizer::LocalizerSetup localizer;
-  stetro_dds::Configured<stetro_supervisor::SupervisorParams> supervisor;
+  stetro_dds::NodeOptions supervisor_options;
+  stetro_supervisor::SupervisorSetup supervisor;
 };
 
 /// Reads the parameters of all three.

@@ -34,7 +34,7 @@ struct ClimbOutcome
   std::string world;                ///< as-built or site
   std::string calibration;          ///< factory or none
   bool in_process = false;          ///< one process, or three over the loopback
-  double wall_time_s = 0.0;         ///< from the mission's start to its end
+  double wall_time_s = 0.0;         ///< of the whole run, discovery included
   double simulated_time_s = 0.0;    ///< the same on the robot's clock
   std::vector<std::string> faults;  ///< every fault the supervisor reported, in order
 };

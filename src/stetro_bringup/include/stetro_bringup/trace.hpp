@@ -70,6 +70,9 @@ struct TraceRow
   std::map<std::string, SensorTrace> sensors;
 };
 
+/// Writes a comma and a number with six decimals; nothing after the comma if it is not known (NaN).
+void put_field(std::ostream & out, double value);
+
 /// Writes `trace.csv`: a header, then a row an estimate, SI units in the column names.
 /**
  * Numbers are printed with six decimals (a micrometre, a microradian), stamps in nanoseconds, so two

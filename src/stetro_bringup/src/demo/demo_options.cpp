@@ -48,7 +48,10 @@ NodeSettings common(const DemoOptions & options)
   return {
     {"site_file", quoted(options.site)},
     {"robot_file", quoted(options.robot)},
-    {"flight", quoted(options.flight)}};
+    {"flight", quoted(options.flight)},
+    // Whatever the caller's ROS 2 is set to, a demo stays on this computer.
+    {"dds.network", quoted("localhost")},
+    {"dds.ros_distro", quoted("humble")}};
 }
 
 std::string joined(const std::vector<std::string> & texts)
@@ -82,7 +85,8 @@ void add_options(CLI::App & app, DemoOptions & options)
   app.add_option("--robot", options.robot, "robot file")
     ->check(CLI::ExistingFile)
     ->default_str("the papers' robot");
-  app.add_option("--flight", options.flight, "id of the flight to climb")->capture_default_str();
+  app.add_option("--flight", options.flight, "id of the flight to climb")
+    ->default_str("the only one of the site");
   app.add_option("--world", options.world, "what is there: the site as built, or exactly the site")
     ->check(CLI::IsMember({"as-built", "site"}))
     ->capture_default_str();

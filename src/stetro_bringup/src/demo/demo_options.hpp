@@ -28,11 +28,11 @@ struct DemoOptions
 {
   std::string out = "out/demo";  ///< folder of the results
   std::uint64_t seed = 1;        ///< of the world, the sensors and the disturbances
-  double speed = 20.0;           ///< simulated seconds a second at most; 0: as fast as it goes
+  double speed = 20.0;           ///< simulated seconds a second at most
   std::string estimator = "paper";
   std::string site;                ///< what the software believes; empty: the papers' staircase
   std::string robot;               ///< empty: the papers' robot
-  std::string flight = "stairs";   ///< id of the flight to clean
+  std::string flight;              ///< id of the flight to clean; empty: the only one
   std::string world = "as-built";  ///< what is there: as-built or site
   std::string calibration = "factory";  ///< of the range sensors: factory or none
   std::vector<std::string> faults;      ///< to inject, by name

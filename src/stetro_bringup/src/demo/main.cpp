@@ -11,13 +11,16 @@
 // WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
 // See the License for the specific language governing permissions and
 // limitations under the License.
+#include <fcntl.h>
 #include <spdlog/spdlog.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <stdexcept>
 #include <vector>
 
 #include "child_process.hpp"
@@ -112,12 +115,39 @@ int climb_over_dds(
   return run.report();
 }
 
-// A robot on the default domain of this computer is not to be disturbed by a demo.
-void choose_domain()
+// The only flight of the site, or the one that was named.
+const stetro_site::Flight & chosen(const stetro_site::Site & site, const std::string & id)
 {
-  constexpr int kNotOverwritten = 0;
-  const int domain = 10 + getpid() % 90;
-  setenv("ROS_DOMAIN_ID", std::to_string(domain).c_str(), kNotOverwritten);
+  if (!id.empty() || site.flights().size() != 1) {
+    return site.flight(id);  // throws, naming those there are
+  }
+  return site.flights().front();
+}
+
+// A domain of the demo's own on this computer: a robot that lives on the caller's domain is not to
+// be commanded by a demo. Held by a lock, so that two demos do not meet either.
+void take_domain()
+{
+  constexpr int kFirst = 10;
+  constexpr int kCount = 90;
+  for (int i = 0; i < kCount; ++i) {
+    const int domain = kFirst + (getpid() + i) % kCount;
+    const std::string lock = "/tmp/stetro_demo_domain_" + std::to_string(domain) + ".lock";
+    const int file = open(lock.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    if (file >= 0 && flock(file, LOCK_EX | LOCK_NB) == 0) {
+      setenv("ROS_DOMAIN_ID", std::to_string(domain).c_str(), 1);
+      for (const char * name :
+           {"ROS_LOCALHOST_ONLY", "ROS_AUTOMATIC_DISCOVERY_RANGE", "ROS_STATIC_PEERS",
+            "ROS_DISTRO"}) {
+        unsetenv(name);
+      }
+      return;  // the lock ends with the process
+    }
+    if (file >= 0) {
+      close(file);
+    }
+  }
+  throw std::runtime_error("every domain from 10 to 99 is taken by another demo");
 }
 
 int climb(DemoOptions options, const stetro_dds::Launch & launch)
@@ -129,7 +159,8 @@ int climb(DemoOptions options, const stetro_dds::Launch & launch)
     options.robot = shipped_file("robot/stetro.yaml");
   }
   const auto deployment = stetro_site::load_deployment(options.site, options.robot);
-  const auto & flight = deployment.site.flight(options.flight);
+  const auto & flight = chosen(deployment.site, options.flight);
+  options.flight = flight.id();
   const ReportFacts facts{flight.width_m(0.0), deployment.robot.geometry.contact_width_m};
   start_afresh(options);
   std::cout << "climbing " << flight.steps() << " steps of '" << options.flight << "', seed "
@@ -147,7 +178,7 @@ int climb(DemoOptions options, const stetro_dds::Launch & launch)
 
 int main(int argc, char ** argv)
 {
-  stetro_bringup::choose_domain();
+  stetro_bringup::take_domain();
   stetro_bringup::DemoOptions options;
   return stetro_dds::run_main(
     argc, argv,

@@ -1,0 +1,195 @@
+// Copyright 2026 The sTetro Authors
+//
+// Licensed under the Apache License, Version 2.0 (the "License");
+// you may not use this file except in compliance with the License.
+// You may obtain a copy of the License at
+//
+//     http://www.apache.org/licenses/LICENSE-2.0
+//
+// Unless required by applicable law or agreed to in writing, software
+// distributed under the License is distributed on an "AS IS" BASIS,
+// WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+// See the License for the specific language governing permissions and
+// limitations under the License.
+// An operator on the command line: asks for a mission and prints the supervisor's answer.
+
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <chrono>
+#include <iostream>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "stetro_dds/executor.hpp"
+#include "stetro_dds/launch.hpp"
+#include "stetro_dds/node.hpp"
+#include "stetro_msgs/MissionRequest.hpp"
+#include "stetro_msgs/MissionStatus.hpp"
+
+namespace
+{
+
+namespace request = stetro_msgs::msg::MissionRequest_Constants;
+namespace status = stetro_msgs::msg::MissionStatus_Constants;
+namespace qos = stetro_dds::qos;
+using std::chrono_literals::operator""ms;
+using Clock = std::chrono::steady_clock;
+using stetro_msgs::msg::MissionRequest;
+using stetro_msgs::msg::MissionStatus;
+
+constexpr int kRefused = 1;
+constexpr int kNoAnswer = 3;
+
+const std::map<std::string, std::uint8_t> kKinds = {
+  {"clean", request::KIND_CLEAN_FLIGHT},
+  {"pause", request::KIND_PAUSE},
+  {"resume", request::KIND_RESUME},
+  {"abort", request::KIND_ABORT},
+  {"clear-fault", request::KIND_CLEAR_FAULT}};
+
+struct Order
+{
+  std::string what = "status";
+  std::string flight;
+  double patience_s = 10.0;
+};
+
+// The operator has nothing to set but what every node has.
+struct OperatorParams
+{
+};
+
+template <class Visitor>
+void visit(OperatorParams &, Visitor &&)
+{
+}
+
+builtin_interfaces::msg::Time stamp_of(std::chrono::nanoseconds time)
+{
+  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(time);
+  builtin_interfaces::msg::Time stamp;
+  stamp.sec(static_cast<std::int32_t>(seconds.count()));
+  stamp.nanosec(static_cast<std::uint32_t>((time - seconds).count()));
+  return stamp;
+}
+
+// In the order of MISSION_* of MissionStatus.
+constexpr std::array kMissionNames = {"unknown", "idle",     "running", "paused",
+                                      "held",    "finished", "aborted", "fault"};
+
+void print(const MissionStatus & now)
+{
+  const std::size_t mission = now.mission() < kMissionNames.size() ? now.mission() : 0;
+  std::cout << "mission " << kMissionNames[mission] << ", state '" << now.state().c_str()
+            << "', step " << now.step() << " of " << now.step_count();
+  if (now.fault().size() > 0) {
+    std::cout << ", fault '" << now.fault().c_str() << "': " << now.fault_detail().c_str();
+  }
+  std::cout << std::endl;
+}
+
+class Operator
+{
+public:
+  Operator(stetro_dds::Context & context, const stetro_dds::NodeOptions & options)
+  : node_(context, options),
+    requests_(node_.advertise<MissionRequest>("mission", qos::kMission)),
+    id_(std::to_string(Clock::now().time_since_epoch().count()))
+  {
+    node_.subscribe<MissionStatus>(
+      "mission_status", qos::kLatched, [this](const MissionStatus & heard) { heard_ = heard; });
+  }
+
+  stetro_dds::Node & node() { return node_; }
+
+  void ask(const Order & order)
+  {
+    MissionRequest message;
+    message.header().stamp() = stamp_of(node_.clock().now());
+    message.request_id() = id_.c_str();
+    message.issuer() = "stetro_mission";
+    message.kind() = kKinds.at(order.what);
+    message.segment_id() = order.flight.c_str();
+    message.step() = request::STEP_UNKNOWN;
+    requests_.publish(message);
+  }
+
+  [[nodiscard]] bool reaches_a_supervisor() const
+  {
+    return requests_.matched() > 0 && node_.clock().known();
+  }
+  [[nodiscard]] bool is_answered() const { return heard_ && heard_->request_id().c_str() == id_; }
+  [[nodiscard]] const std::optional<MissionStatus> & heard() const { return heard_; }
+
+private:
+  stetro_dds::Node node_;
+  stetro_dds::Publisher<MissionRequest> & requests_;
+  const std::string id_;
+  std::optional<MissionStatus> heard_;
+};
+
+int carry_out(const Order & order, Operator & person, stetro_dds::Executor & executor)
+{
+  const auto patience = std::chrono::duration<double>(order.patience_s);
+  const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(patience);
+  const bool only_look = order.what == "status";
+  bool asked = false;
+  while (Clock::now() < deadline &&
+         !(only_look ? person.heard().has_value() : person.is_answered())) {
+    if (!only_look && !asked && person.reaches_a_supervisor()) {
+      person.ask(order);
+      asked = true;
+    }
+    executor.spin_some(20ms);
+  }
+  if (!person.heard() || !(only_look || person.is_answered())) {
+    std::cerr << "no supervisor has answered within " << order.patience_s
+              << " s; is it on this ROS_DOMAIN_ID, and this node on its time (use_sim_time)?\n";
+    return kNoAnswer;
+  }
+  if (only_look) {
+    print(*person.heard());
+    return 0;
+  }
+  const bool accepted = person.heard()->answer() == status::ANSWER_ACCEPTED;
+  std::cout << order.what << (accepted ? " accepted" : " refused: ")
+            << person.heard()->answer_reason().c_str() << std::endl;
+  return accepted ? 0 : kRefused;
+}
+
+}  // namespace
+
+int main(int argc, char ** argv)
+{
+  Order order;
+  const auto options = [&order](CLI::App & app) {
+    std::set<std::string> words{"status"};
+    for (const auto & [word, kind] : kKinds) {
+      words.insert(word);
+    }
+    app.add_option("request", order.what, "what to ask for, or status")
+      ->check(CLI::IsMember(words))
+      ->capture_default_str();
+    app.add_option("--flight", order.flight, "id of the flight, for clean");
+    app.add_option("--patience", order.patience_s, "how long to wait for the answer [s]")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+    app.footer("Exit status: 0 accepted, 1 refused (the reason is printed), 3 nobody answered.");
+  };
+  return stetro_dds::run_main(
+    argc, argv,
+    {"stetro_mission", "Asks the supervisor for something, and prints its answer.", options},
+    [&order](stetro_dds::Launch & launch) {
+      const auto configured =
+        launch.configure<OperatorParams>("operator_" + std::to_string(getpid()), "/stetro");
+      stetro_dds::Context context(launch.context_options());
+      Operator person(context, configured.options);
+      stetro_dds::Executor executor;
+      executor.add(person.node());
+      return carry_out(order, person, executor);
+    });
+}
