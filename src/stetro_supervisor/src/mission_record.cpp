@@ -23,6 +23,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iomanip>
 #include <limits>
@@ -103,6 +104,23 @@ void write_all(int file, const std::string & text, const std::string & path)
       fail("write", path);
     }
     written += n > 0 ? static_cast<std::size_t>(n) : 0u;
+  }
+}
+
+/// A new name in a folder is on the disk only when the folder is.
+void flush_folder_of(const std::string & path)
+{
+  const auto parent = std::filesystem::path(path).parent_path();
+  const int folder =
+    ::open(parent.empty() ? "." : parent.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  const bool flushed = folder >= 0 && ::fsync(folder) == 0;
+  const int reason = errno;
+  if (folder >= 0) {
+    ::close(folder);
+  }
+  if (!flushed) {
+    errno = reason;
+    fail("fsync its folder", path);
   }
 }
 
@@ -194,6 +212,7 @@ void save(const MissionRecord & record, const std::string & path)
   if (std::rename(beside.c_str(), path.c_str()) != 0) {
     fail("rename", path);
   }
+  flush_folder_of(path);
 }
 
 std::optional<MissionRecord> load_mission(const std::string & path)

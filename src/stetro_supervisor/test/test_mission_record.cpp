@@ -12,6 +12,7 @@
 // See the License for the specific language governing permissions and
 // limitations under the License.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -19,6 +20,21 @@
 #include <string>
 
 #include "stetro_supervisor/mission_record.hpp"
+
+namespace
+{
+
+int folders_flushed = 0;
+
+}  // namespace
+
+/// In place of the system's: notes what is flushed.
+extern "C" int fsync(int file)
+{
+  struct stat found = {};
+  folders_flushed += ::fstat(file, &found) == 0 && S_ISDIR(found.st_mode) ? 1 : 0;
+  return ::fdatasync(file);
+}
 
 namespace stetro_supervisor
 {
@@ -96,6 +112,15 @@ TEST(Swept, ShareIsTheWidthPassedOverByTheBumpers)
   swept.pass(0.115);
   swept.pass(1.935);
   EXPECT_NEAR(swept.share(2.05, 0.23), 1.0, 1e-12);
+}
+
+TEST(MissionRecord, SavingFlushesTheFolderToo)
+{
+  const std::string path = testing::TempDir() + "mission_" + std::to_string(::getpid());
+  const int before = folders_flushed;
+  save(example(), path);
+  EXPECT_EQ(folders_flushed, before + 1) << "or a power cut takes the new name back";
+  std::remove(path.c_str());
 }
 
 }  // namespace stetro_supervisor

@@ -65,7 +65,7 @@ std::string encode(const MissionRecord & record);
 /// \throws MissionFileError saying what is wrong: the checksum, or the first line not understood
 MissionRecord decode(const std::string & text);
 
-/// Replaces the file atomically: written beside it, flushed to the disk, renamed.
+/// Replaces the file atomically: written beside it, flushed to the disk, renamed, folder flushed.
 /// \throws MissionFileError with the path and the system's reason
 void save(const MissionRecord & record, const std::string & path);
 
