@@ -17,14 +17,12 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
-#include <memory>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "stetro_tests/deadline.hpp"
+#include "stetro_tests/demo_run.hpp"
 #include "stetro_tests/stack.hpp"
 
 namespace stetro_tests
@@ -34,38 +32,27 @@ namespace stetro_tests
 class InProcessRun
 {
 public:
-  explicit InProcessRun(std::vector<std::string> extra)
-  {
-    std::vector<std::string> command = {
-      find_executable("stetro_demo"),
-      "--in-process",
-      "--no-plots",
-      "--seed",
-      "7",
-      "--site",
-      short_flight(),
-      "--out",
-      folder_.path().string()};
-    command.insert(command.end(), extra.begin(), extra.end());
-    process_ = std::make_unique<Process>(command, domain_.environment());
-  }
+  explicit InProcessRun(const std::vector<std::string> & extra) : demo_(arguments(extra)) {}
 
   /// What it wrote as trace.csv once it has ended; fails the test if it did not end well.
   std::string trace()
   {
-    const auto ending = process_->wait(120s);
-    EXPECT_TRUE(ending && ending->exit_code == 0) << process_->tail();
-    std::ifstream file(folder_.path() / "trace.csv");
-    std::ostringstream text;
-    text << file.rdbuf();
-    EXPECT_GT(text.str().size(), 10000U) << "a climb leaves a longer trace";
-    return text.str();
+    EXPECT_EQ(demo_.wait(120s), 0) << demo_.tail();
+    std::string text = demo_.file("trace.csv");
+    EXPECT_GT(text.size(), 10000U) << "a climb leaves a longer trace";
+    return text;
   }
 
 private:
-  LoopbackDomain domain_;
-  TemporaryFolder folder_;
-  std::unique_ptr<Process> process_;
+  static std::vector<std::string> arguments(const std::vector<std::string> & extra)
+  {
+    std::vector<std::string> all = {"--in-process", "--no-plots",  "--seed", "7",
+                                    "--site",       short_flight()};
+    all.insert(all.end(), extra.begin(), extra.end());
+    return all;
+  }
+
+  DemoRun demo_;
 };
 
 std::vector<std::string> cells_of(const std::string & line)

@@ -1,0 +1,67 @@
+// Copyright 2026 The sTetro Authors
+//
+// Licensed under the Apache License, Version 2.0 (the "License");
+// you may not use this file except in compliance with the License.
+// You may obtain a copy of the License at
+//
+//     http://www.apache.org/licenses/LICENSE-2.0
+//
+// Unless required by applicable law or agreed to in writing, software
+// distributed under the License is distributed on an "AS IS" BASIS,
+// WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+// See the License for the specific language governing permissions and
+// limitations under the License.
+// The main job, as a user starts it: sixteen steps of the papers' staircase, with the world as built.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "nlohmann/json.hpp"
+#include "stetro_tests/deadline.hpp"
+#include "stetro_tests/demo_run.hpp"
+
+namespace stetro_tests
+{
+
+class DemoSeed : public testing::TestWithParam<int>
+{
+};
+
+TEST_P(DemoSeed, ClimbsToStep16WithoutFault)
+{
+  DemoRun demo({"--in-process", "--no-plots", "--seed", std::to_string(GetParam())});
+  ASSERT_EQ(demo.wait(180s), 0) << demo.tail();
+  const auto summary = nlohmann::json::parse(demo.file("summary.json"));
+  EXPECT_EQ(summary["final_step"], 16);
+  EXPECT_EQ(summary["integrity"], "OK");
+  EXPECT_TRUE(summary["faults"].empty()) << summary["faults"];
+  EXPECT_LT(summary["y_rmse_m"], 0.05) << "a climb that arrives by luck";
+  EXPECT_LT(summary["heading_rmse_rad"], 0.035);
+}
+
+INSTANTIATE_TEST_SUITE_P(Ten, DemoSeed, testing::Range(2001, 2011));
+
+TEST(DemoOverDds, LeavesWhatTheReadmeSays)
+{
+  DemoRun demo({"--seed", "2011"});
+  ASSERT_EQ(demo.wait(300s), 0) << demo.tail();
+  const auto summary = nlohmann::json::parse(demo.file("summary.json"));
+  EXPECT_EQ(summary["completed"], true);
+  EXPECT_EQ(summary["final_step"], 16);
+  EXPECT_EQ(summary["estimator"], "paper");
+  EXPECT_EQ(summary["seed"], 2011);
+  const std::string steps = demo.file("steps.csv");
+  EXPECT_EQ(std::count(steps.begin(), steps.end(), '\n'), 17) << "a header and a row a step\n"
+                                                              << steps;
+  const std::string trace = demo.file("trace.csv");
+  EXPECT_GT(std::count(trace.begin(), trace.end(), '\n'), 10000);
+  for (const char * picture : {"ranges.svg", "path_2d.svg", "path_3d.svg", "heading.svg"}) {
+    const std::string svg = demo.file(picture);
+    EXPECT_NE(svg.find("</svg>"), std::string::npos) << picture << " is not whole";
+    EXPECT_GT(svg.size(), 50000U) << picture << " shows next to nothing";
+  }
+}
+
+}  // namespace stetro_tests
