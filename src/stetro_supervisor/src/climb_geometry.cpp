@@ -15,9 +15,10 @@
 #include "stetro_supervisor/climb_geometry.hpp"
 
 #include <algorithm>
-#include <sstream>
 #include <stdexcept>
+#include <string>
 
+#include "stetro_config/value.hpp"
 #include "stetro_supervisor/climb_params.hpp"
 
 namespace stetro_supervisor
@@ -27,36 +28,48 @@ namespace
 
 constexpr double kLiftMargin_m = 0.01;
 
-void check_flight(const ClimbGeometry & g, std::ostringstream & faults)
+std::string metres(double value_m) { return stetro_config::to_text(value_m) + " m"; }
+
+void check_flight(const ClimbGeometry & g, stetro_config::Faults & faults)
 {
   if (g.riser_m.empty() || g.riser_m.size() != g.tread_m.size()) {
-    faults << "flight: " << g.riser_m.size() << " risers and " << g.tread_m.size()
-           << " treads, accepted: as many treads as risers, at least one\n";
+    faults.refuse(
+      "flight",
+      std::to_string(g.riser_m.size()) + " risers, " + std::to_string(g.tread_m.size()) + " treads",
+      "as many treads as risers, at least one");
   }
   for (const double riser : g.riser_m) {
     if (!(riser > 0.0 && riser + kLiftMargin_m <= g.stroke_m)) {
-      faults << "riser: " << riser << " m, accepted: above 0 and at most the stroke less "
-             << kLiftMargin_m << " m (" << g.stroke_m - kLiftMargin_m << ")\n";
+      faults.refuse(
+        "riser_m", metres(riser),
+        "above 0 and at most the stroke less " + metres(kLiftMargin_m) + ", " +
+          metres(g.stroke_m - kLiftMargin_m));
     }
   }
 }
 
-void check_width(const ClimbGeometry & g, const ClimbParams & p, std::ostringstream & faults)
+void check_width(const ClimbGeometry & g, const ClimbParams & p, stetro_config::Faults & faults)
 {
   const double least = g.contact_width_m + 2.0 * (p.wall_clearance_m + p.middle_tolerance_m);
   const double narrowest = g.width_m + std::min(0.0, g.widening_m);
   if (!(narrowest >= least)) {
-    faults << "width: " << narrowest << " m, accepted: at least " << least
-           << " m, the contact width and sweep.wall_clearance_m on either side\n";
+    faults.refuse(
+      "width_m", metres(narrowest),
+      "at least " + metres(least) +
+        ", the contact width, and sweep.wall_clearance_m with sweep.middle_tolerance_m either "
+        "side");
   }
 }
 
 void check_threshold(
-  const char * name, double gap_m, double recess_m, double minimum_m, std::ostringstream & faults)
+  const char * name, double gap_m, double recess_m, double minimum_m,
+  stetro_config::Faults & faults)
 {
   if (!(gap_m + recess_m >= minimum_m)) {
-    faults << name << ": " << gap_m << " m with a recess of " << recess_m
-           << " m, accepted: together at least range_sensor.min_range_m (" << minimum_m << ")\n";
+    faults.refuse(
+      name, metres(gap_m),
+      "with the recess of " + metres(recess_m) + " at least range_sensor.min_range_m, " +
+        metres(minimum_m));
   }
 }
 
@@ -91,9 +104,8 @@ ClimbGeometry make_geometry(
   return geometry;
 }
 
-void check_climbable(const ClimbGeometry & g, const ClimbParams & p)
+void check_climbable(const ClimbGeometry & g, const ClimbParams & p, stetro_config::Faults & faults)
 {
-  std::ostringstream faults;
   check_flight(g, faults);
   check_width(g, p, faults);
   const double minimum = g.sensor_minimum_m;
@@ -108,11 +120,23 @@ void check_climbable(const ClimbGeometry & g, const ClimbParams & p)
     "contact.touch_down_gap_m", p.touch_down_gap_m, g.contact_reading(Place::kBlock2Down), minimum,
     faults);
   if (!(p.creep_speed_mps < p.roll_speed_mps && p.creep_speed_mps < p.sweep_speed_mps)) {
-    faults << "speeds.creep_m_s: " << p.creep_speed_mps << " m/s, accepted: less than rolling ("
-           << p.roll_speed_mps << ") and sweeping (" << p.sweep_speed_mps << ")\n";
+    faults.refuse(
+      "speeds.creep_m_s", stetro_config::to_text(p.creep_speed_mps),
+      "less than speeds.roll_m_s (" + stetro_config::to_text(p.roll_speed_mps) +
+        ") and speeds.sweep_m_s (" + stetro_config::to_text(p.sweep_speed_mps) + ")");
   }
-  if (!faults.str().empty()) {
-    throw std::invalid_argument(faults.str());
+}
+
+void check_climbable(const ClimbGeometry & geometry, const ClimbParams & params)
+{
+  stetro_config::Faults faults;
+  check_climbable(geometry, params, faults);
+  std::string all;
+  for (const stetro_config::Fault & fault : faults) {
+    all += stetro_config::to_string(fault) + "\n";
+  }
+  if (!all.empty()) {
+    throw std::invalid_argument(all);
   }
 }
 

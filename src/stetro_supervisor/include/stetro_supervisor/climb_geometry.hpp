@@ -19,6 +19,7 @@
 #include <string>
 #include <vector>
 
+#include "stetro_config/fault.hpp"
 #include "stetro_site/flight.hpp"
 #include "stetro_site/robot_geometry.hpp"
 #include "stetro_site/sensor_place.hpp"
@@ -70,9 +71,13 @@ struct ClimbGeometry
 ClimbGeometry make_geometry(
   const stetro_site::Flight & flight, const stetro_site::RobotGeometry & robot);
 
-/// \throws std::invalid_argument naming every number that cannot be climbed: no step, a riser
-///   within 1 cm of the stroke, a width that leaves no clearance in the middle (D3-12), a threshold
-///   that the recessed sensor cannot resolve (D2), a creep that is no slower than other speeds
+/// Adds a fault for every number that cannot be climbed: no step, a riser within 1 cm of the
+/// stroke, a width that leaves no clearance in the middle (D3-12), a threshold that the recessed
+/// sensor cannot resolve (D2), a creep that is no slower than other speeds.
+void check_climbable(
+  const ClimbGeometry & geometry, const ClimbParams & params, stetro_config::Faults & faults);
+
+/// The same. \throws std::invalid_argument with every fault
 void check_climbable(const ClimbGeometry & geometry, const ClimbParams & params);
 
 }  // namespace stetro_supervisor

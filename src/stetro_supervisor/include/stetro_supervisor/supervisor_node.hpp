@@ -19,7 +19,7 @@
 #include "stetro_dds/context.hpp"
 #include "stetro_dds/node.hpp"
 #include "stetro_supervisor/mission.hpp"
-#include "stetro_supervisor/supervisor_params.hpp"
+#include "stetro_supervisor/supervisor_setup.hpp"
 
 namespace stetro_supervisor
 {
@@ -31,13 +31,22 @@ namespace stetro_supervisor
  * observation as it stands goes into the climb, and the command that comes out to the driver, who
  * acts on it only while it is valid. A mission found in the state file is taken up held.
  *
+ * A sample of the driver is as old as its stamp says; beyond `max_sample_age_s` it is refused, as
+ * are stamps of zero, ahead of the clock, or before the one before. A request is refused, and
+ * answered so, with a stamp of zero or before the last one of its issuer; with one farther from the
+ * clock than `request_tolerance_s` only on the computer's clock: on simulated time an operator may
+ * stamp with the clock on the wall.
+ *
  * Belongs to its executor's thread. Destroying it sends a hold.
  */
 class SupervisorNode
 {
 public:
-  /// \throws stetro_config::ConfigError with every fault of the site and robot files, or if the
-  ///   flight is unknown; std::invalid_argument naming what of the flight cannot be climbed
+  SupervisorNode(
+    stetro_dds::Context & context, const stetro_dds::NodeOptions & options,
+    const SupervisorSetup & setup);
+
+  /// Reads the setup itself. \throws stetro_config::ConfigError with every fault of `read_setup()`
   SupervisorNode(
     stetro_dds::Context & context, const stetro_dds::NodeOptions & options,
     const SupervisorParams & params);

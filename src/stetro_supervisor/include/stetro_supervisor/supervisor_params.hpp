@@ -31,6 +31,8 @@ struct SupervisorParams
   double rate_hz = 20.0;      ///< ticks and commands
   double valid_for_s = 0.15;  ///< life of a command
   double future_tolerance_s = 0.02;
+  double max_sample_age_s = 0.3;
+  double request_tolerance_s = 5.0;
   std::string fleet = "stetro";
   ClimbParams climb;
 };
@@ -50,6 +52,12 @@ void visit(SupervisorParams & p, Visitor && each)
   each(
     "future_tolerance_s", p.future_tolerance_s, Within{0.0, 1.0},
     "how far ahead of the clock a stamp may be [s]");
+  each(
+    "max_sample_age_s", p.max_sample_age_s, Within{0.01, 10.0},
+    "older samples of the driver are refused [s]");
+  each(
+    "request_tolerance_s", p.request_tolerance_s, Within{0.1, 3600.0},
+    "how far a request's stamp may be from the clock, unless time is simulated [s]");
   each("fleet", p.fleet, NonEmpty{}, "name of the fleet in /fleet_states");
   visit(p.climb, each);
 }

@@ -16,6 +16,8 @@
 #include <cmath>
 #include <limits>
 
+#include "stetro_msgs/bounds.hpp"
+
 namespace stetro_supervisor
 {
 namespace
@@ -234,6 +236,19 @@ std::optional<Refusal> take(
       "reason " + std::to_string(message.reason()) + " " + std::string(message.detail().c_str());
   }
   seen.driver_answer = DriverAnswer{received, refused, reason};
+  return std::nullopt;
+}
+
+std::optional<Refusal> doubt_of(const stetro_msgs::msg::MissionRequest & message)
+{
+  if (message.request_id().size() == 0 || message.issuer().size() == 0) {
+    return Refusal{"empty_id", "request_id or issuer is empty, accepted: both given"};
+  }
+  if (stetro_msgs::fills_a_string(message)) {
+    return Refusal{
+      "full_string",
+      "request_id, issuer or segment_id fills its 64 bytes and may be cut, accepted: at most 63"};
+  }
   return std::nullopt;
 }
 

@@ -63,6 +63,9 @@ std::optional<Refusal> take(
 std::optional<Refusal> take(
   const stetro_msgs::msg::CommandStatus & message, Time received, Observation & seen);
 
+/// Why a request cannot be answered for: its id or issuer is empty, or may be the stump of another.
+std::optional<Refusal> doubt_of(const stetro_msgs::msg::MissionRequest & message);
+
 MissionRequest from_message(const stetro_msgs::msg::MissionRequest & message);
 
 /// Who commands, and how long a command may act.

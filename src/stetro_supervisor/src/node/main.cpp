@@ -23,8 +23,10 @@ int main(int argc, char ** argv)
     {"stetro_supervisor", "Drives the climb: sweeps a flight of stairs from its foot to its top."},
     [](stetro_dds::Launch & launch) {
       const auto supervisor = launch.configure<SupervisorParams>("supervisor", "/stetro");
+      const auto setup = stetro_supervisor::read_setup(supervisor.params, launch.faults());
+      launch.check();
       stetro_dds::Context context(launch.context_options());
-      SupervisorNode node(context, supervisor.options, supervisor.params);
+      SupervisorNode node(context, supervisor.options, setup.value());
       stetro_dds::Executor executor;
       executor.add(node.node());
       launch.spin(executor);

@@ -31,6 +31,9 @@ std::optional<Refusal> StampGuard::judge(
     return Refusal{
       "future_stamp", "stamp is " + std::to_string((stamp - now).count()) + " ns in the future"};
   }
+  if (now - stamp > max_age_) {
+    return Refusal{"too_old", "stamp is " + std::to_string((now - stamp).count()) + " ns old"};
+  }
   if (writer_ != writer) {
     writer_ = writer;
     last_ = stetro_dds::Time{0};

@@ -24,18 +24,31 @@ namespace stetro_supervisor
 
 using stetro_dds::Refusal;
 
-/// Refuses stamps of one topic that are zero, ahead of the clock or not newer than the last.
+/// Refuses stamps of one topic that are zero, ahead of the clock, too old or before the last.
+/**
+ * After a process was stopped for a while, its queues still hold what was measured before: by its
+ * arrival that would be fresh.
+ */
 class StampGuard
 {
 public:
-  explicit StampGuard(stetro_dds::Time future_tolerance) : tolerance_(future_tolerance) {}
+  /// \param max_age by the clock that is judged by; without it, age is left to whoever reads
+  explicit StampGuard(
+    stetro_dds::Time future_tolerance, stetro_dds::Time max_age = stetro_dds::Time::max())
+  : tolerance_(future_tolerance), max_age_(max_age)
+  {
+  }
 
   /// \return nothing if the stamp may be used; a new writer starts a new order
   std::optional<Refusal> judge(
     stetro_dds::Time stamp, stetro_dds::Time now, const stetro_dds::Guid & writer);
 
+  /// Whatever comes next starts a new order, of the same writer too.
+  void restart() { writer_.reset(); }
+
 private:
   stetro_dds::Time tolerance_;
+  stetro_dds::Time max_age_;
   stetro_dds::Time last_{0};
   std::optional<stetro_dds::Guid> writer_;
 };

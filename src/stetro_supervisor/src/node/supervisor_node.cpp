@@ -18,7 +18,6 @@
 #include <random>
 
 #include "stetro_config/fault.hpp"
-#include "stetro_site/site.hpp"
 #include "supervisor_parts.hpp"
 
 namespace stetro_supervisor
@@ -43,35 +42,12 @@ std::uint64_t drawn_instance()
   return drawn != 0 ? drawn : 1;
 }
 
-/// The speeds stand in the robot file, for every component.
-ClimbParams with_speeds(ClimbParams params, const stetro_site::Speeds & speeds)
+SupervisorSetup setup_of(const SupervisorParams & params)
 {
-  params.sweep_speed_mps = speeds.sweep_m_s;
-  params.roll_speed_mps = speeds.roll_m_s;
-  params.creep_speed_mps = speeds.creep_m_s;
-  params.yaw_rate_rps = speeds.yaw_correction_rad_s;
-  return params;
-}
-
-stetro_site::Flight chosen_flight(
-  const std::string & id, const std::optional<stetro_site::Site> & site,
-  stetro_config::Faults & faults)
-{
-  if (site) {
-    if (id.empty() && site->flights().size() == 1) {
-      return site->flights().front();
-    }
-    if (const auto * flight = site->find_flight(id)) {
-      return *flight;
-    }
-    std::string known;
-    for (const auto & flight : site->flights()) {
-      known += (known.empty() ? "" : ", ") + flight.id();
-    }
-    faults.refuse("flight", id, "the id of a flight of the site: " + known);
-  }
+  stetro_config::Faults faults;
+  const auto setup = read_setup(params, faults);
   faults.throw_if_any();
-  throw std::logic_error("no flight and no fault");
+  return setup.value();
 }
 
 bool same_participant(const Guid & a, const Guid & b)
@@ -83,17 +59,18 @@ bool same_participant(const Guid & a, const Guid & b)
 
 SupervisorNode::Parts::Parts(
   stetro_dds::Context & context, const stetro_dds::NodeOptions & options,
-  const SupervisorParams & params, const stetro_site::Flight & flight,
-  const stetro_site::Robot & robot)
-: params_(params),
-  flight_(flight),
-  robot_name_(robot.name),
+  const SupervisorSetup & setup)
+: params_(setup.params),
+  flight_(setup.flight),
+  robot_name_(setup.robot.name),
   node_(context, options),
-  climb_(with_speeds(params.climb, robot.speeds), make_geometry(flight, robot.geometry)),
+  climb_(params_.climb, make_geometry(flight_, setup.robot.geometry)),
   mission_(climb_),
-  store_(params.state_file),
-  pose_stamps_(nanoseconds(params.future_tolerance_s)),
-  issuer_{node_.name().full(), drawn_instance(), nanoseconds(params.valid_for_s)},
+  store_(params_.state_file),
+  pose_stamps_(nanoseconds(params_.future_tolerance_s)),
+  status_stamps_(nanoseconds(params_.future_tolerance_s), nanoseconds(params_.max_sample_age_s)),
+  request_stamps_(nanoseconds(params_.request_tolerance_s)),
+  issuer_{node_.name().full(), drawn_instance(), nanoseconds(params_.valid_for_s)},
   command_(node_.advertise<stetro_msgs::msg::Command>("command", qos::kCommand)),
   status_(node_.advertise<stetro_msgs::msg::MissionStatus>("mission_status", qos::kLatched)),
   fleet_(node_.advertise<rmf_fleet_msgs::msg::FleetState>("/fleet_states", qos::kFleetState))
@@ -106,7 +83,7 @@ SupervisorNode::Parts::Parts(
   if (!store_.trouble().empty()) {
     node_.log().error("{}", store_.trouble());
   }
-  node_.create_timer(nanoseconds(1.0 / params.rate_hz), [this](Time now) { tick(now); });
+  node_.create_timer(nanoseconds(1.0 / params_.rate_hz), [this](Time now) { tick(now); });
   node_.create_timer(kFleetPeriod, [this](Time now) { publish_fleet(now); });
   node_.diagnostics().add("mission", [this](stetro_dds::DiagnosticReport & r) { report(r); });
   node_.lifecycle().request(LifecycleTransition::kConfigure);
@@ -117,17 +94,19 @@ template <class Message>
 void SupervisorNode::Parts::listen(
   const std::string & topic, const stetro_dds::QosProfile & profile)
 {
-  guards_.push_back(std::make_unique<StampGuard>(nanoseconds(params_.future_tolerance_s)));
+  guards_.push_back(std::make_unique<StampGuard>(
+    nanoseconds(params_.future_tolerance_s), nanoseconds(params_.max_sample_age_s)));
   StampGuard & guard = *guards_.back();
   node_.subscribe<Message>(
     topic, profile,
     [this, &guard](const Message & message, const Reception & reception) -> std::optional<Refusal> {
       const Time now = node_.clock().now();
-      if (auto refusal = guard.judge(to_time(message.header().stamp()), now, reception.writer)) {
+      const Time stamp = to_time(message.header().stamp());
+      if (auto refusal = guard.judge(stamp, now, reception.writer)) {
         return refusal;
       }
       notice_writer(reception.writer);
-      return take(message, now, seen_);
+      return take(message, std::min(now, stamp), seen_);  // what waited in a queue is not fresh
     });
 }
 
@@ -144,10 +123,14 @@ void SupervisorNode::Parts::open_inputs()
     });
   node_.subscribe<stetro_msgs::msg::CommandStatus>(
     "command_status", qos::kCommandStatus,
-    [this](const stetro_msgs::msg::CommandStatus & message) { return take_status(message); });
+    [this](const stetro_msgs::msg::CommandStatus & message, const Reception & reception) {
+      return take_status(message, reception);
+    });
   node_.subscribe<stetro_msgs::msg::MissionRequest>(
     "mission", qos::kMission,
-    [this](const stetro_msgs::msg::MissionRequest & message) { return take_request(message); });
+    [this](const stetro_msgs::msg::MissionRequest & message, const Reception & reception) {
+      return take_request(message, reception);
+    });
 }
 
 /// Another process writes the driver's streams: whatever it was asked to do is forgotten.
@@ -187,8 +170,16 @@ std::optional<Refusal> SupervisorNode::Parts::take_pose(
 }
 
 std::optional<Refusal> SupervisorNode::Parts::take_status(
-  const stetro_msgs::msg::CommandStatus & message)
+  const stetro_msgs::msg::CommandStatus & message, const Reception & reception)
 {
+  const Time now = node_.clock().now();
+  const Time stamp = to_time(message.header().stamp());
+  if (message.driver_instance() != driver_told_) {
+    status_stamps_.restart();
+  }
+  if (auto refusal = status_stamps_.judge(stamp, now, reception.writer)) {
+    return refusal;
+  }
   if (driver_told_ != 0 && message.driver_instance() != driver_told_) {
     ++driver_epoch_;
     seen_.driver_instance = driver_epoch_;
@@ -196,18 +187,26 @@ std::optional<Refusal> SupervisorNode::Parts::take_status(
   driver_told_ = message.driver_instance();
   const bool ours =
     message.issuer() == issuer_.name.c_str() && message.issuer_instance() == issuer_.instance;
-  return ours ? take(message, node_.clock().now(), seen_) : std::nullopt;
+  return ours ? take(message, std::min(now, stamp), seen_) : std::nullopt;
 }
 
 std::optional<Refusal> SupervisorNode::Parts::take_request(
-  const stetro_msgs::msg::MissionRequest & message)
+  const stetro_msgs::msg::MissionRequest & message, const Reception & reception)
 {
-  answer_ = mission_.request(from_message(message));
+  const MissionRequest request = from_message(message);
+  auto doubt = doubt_of(message);
+  if (!doubt && !mission_.knows(request)) {  // one that is repeated changes nothing, however old
+    doubt = request_stamps_.judge(
+      to_time(message.header().stamp()), {node_.clock().now(), node_.clock().source()},
+      request.issuer, reception.writer);
+  }
+  answer_ = doubt ? MissionAnswer{request.request_id, request.issuer, false, doubt->detail}
+                  : mission_.request(request);
   node_.log().info(
     "request '{}' of '{}': {}", answer_->request_id, answer_->issuer,
     answer_->accepted ? "accepted" : "refused: " + answer_->reason);
   publish_status(node_.clock().now());
-  return std::nullopt;
+  return doubt;
 }
 
 void SupervisorNode::Parts::tick(Time now)
@@ -286,14 +285,16 @@ void SupervisorNode::Parts::hold()
 
 SupervisorNode::SupervisorNode(
   stetro_dds::Context & context, const stetro_dds::NodeOptions & options,
-  const SupervisorParams & params)
+  const SupervisorSetup & setup)
+: parts_(std::make_unique<Parts>(context, options, setup))
 {
-  stetro_config::Faults faults;
-  const auto site = stetro_site::read_site(params.site_file, faults);
-  const auto robot = stetro_site::read_robot(params.robot_file, faults);
-  const auto flight = chosen_flight(params.flight, site, faults);
-  faults.throw_if_any();
-  parts_ = std::make_unique<Parts>(context, options, params, flight, *robot);
+}
+
+SupervisorNode::SupervisorNode(
+  stetro_dds::Context & context, const stetro_dds::NodeOptions & options,
+  const SupervisorParams & params)
+: SupervisorNode(context, options, setup_of(params))
+{
 }
 
 SupervisorNode::~SupervisorNode() { parts_->hold(); }

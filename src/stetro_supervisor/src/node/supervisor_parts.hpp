@@ -23,8 +23,8 @@
 
 #include "convert.hpp"
 #include "mission_store.hpp"
+#include "request_guard.hpp"
 #include "stamp_guard.hpp"
-#include "stetro_site/robot.hpp"
 #include "stetro_supervisor/supervisor_node.hpp"
 
 namespace stetro_supervisor
@@ -36,8 +36,7 @@ class SupervisorNode::Parts
 public:
   Parts(
     stetro_dds::Context & context, const stetro_dds::NodeOptions & options,
-    const SupervisorParams & params, const stetro_site::Flight & flight,
-    const stetro_site::Robot & robot);
+    const SupervisorSetup & setup);
 
   stetro_dds::Node & node() { return node_; }
   MissionStatus status() const { return mission_.status(); }
@@ -57,8 +56,10 @@ private:
   void notice_writer(const stetro_dds::Guid & writer);
   std::optional<Refusal> take_pose(
     const stetro_msgs::msg::StairPose & message, const stetro_dds::Reception & reception);
-  std::optional<Refusal> take_status(const stetro_msgs::msg::CommandStatus & message);
-  std::optional<Refusal> take_request(const stetro_msgs::msg::MissionRequest & message);
+  std::optional<Refusal> take_status(
+    const stetro_msgs::msg::CommandStatus & message, const stetro_dds::Reception & reception);
+  std::optional<Refusal> take_request(
+    const stetro_msgs::msg::MissionRequest & message, const stetro_dds::Reception & reception);
 
   const SupervisorParams params_;
   const stetro_site::Flight flight_;
@@ -70,6 +71,8 @@ private:
   Observation seen_;
   std::optional<stetro_site::Pose> pose_;  ///< base_link in the flight frame
   StampGuard pose_stamps_;
+  StampGuard status_stamps_;
+  RequestGuard request_stamps_;
   std::vector<std::unique_ptr<StampGuard>> guards_;
 
   Issuer issuer_;

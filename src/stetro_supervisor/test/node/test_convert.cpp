@@ -146,6 +146,19 @@ TEST(Convert, ACommandReplacedByANewerOneWasNotRefused)
   EXPECT_TRUE(seen.driver_answer->refused);
 }
 
+TEST(Convert, DoubtsARequestWhoseIdIsEmptyOrMayBeCut)
+{
+  stetro_msgs::msg::MissionRequest message;
+  message.request_id("1");
+  ASSERT_TRUE(doubt_of(message)) << "no issuer";
+  EXPECT_EQ(doubt_of(message)->reason, "empty_id");
+  message.issuer("rviz");
+  EXPECT_FALSE(doubt_of(message));
+  message.request_id(std::string(64, 'a'));
+  ASSERT_TRUE(doubt_of(message));
+  EXPECT_EQ(doubt_of(message)->reason, "full_string");
+}
+
 TEST(Convert, StatusEchoesTheAnswerAndNamesTheFault)
 {
   namespace wire = stetro_msgs::msg::MissionStatus_Constants;

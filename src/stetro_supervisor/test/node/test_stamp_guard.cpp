@@ -54,4 +54,20 @@ TEST(StampGuard, ANewWriterStartsANewOrder)
   EXPECT_EQ(reason(guard.judge(kNow - Time{5}, kNow, kOther)), "") << "a driver that resumed";
 }
 
+TEST(StampGuard, RefusesWhatWaitedTooLongInAQueue)
+{
+  StampGuard guard{std::chrono::milliseconds(20), std::chrono::milliseconds(300)};
+  EXPECT_EQ(reason(guard.judge(kNow - std::chrono::milliseconds(301), kNow, kWriter)), "too_old");
+  EXPECT_EQ(reason(guard.judge(kNow - std::chrono::milliseconds(300), kNow, kWriter)), "");
+  EXPECT_EQ(reason(guard.judge(kNow, kNow, kWriter)), "");
+}
+
+TEST(StampGuard, RestartsItsOrderWhenTold)
+{
+  StampGuard guard{Time{0}};
+  EXPECT_EQ(reason(guard.judge(kNow, kNow, kWriter)), "");
+  guard.restart();
+  EXPECT_EQ(reason(guard.judge(kNow - Time{5}, kNow, kWriter)), "");
+}
+
 }  // namespace stetro_supervisor

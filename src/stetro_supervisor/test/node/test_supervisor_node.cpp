@@ -94,7 +94,7 @@ protected:
   /// One tick of 50 ms: senses, lets the node think, acts.
   void step(bool act = true)
   {
-    supervisor->node().clock().set(robot.now);
+    supervisor->node().clock().set(robot.now + clock_ahead);
     wire->publish();
     executor.drain();
     wire->act(act);
@@ -120,6 +120,7 @@ protected:
   stetro_dds::Executor executor;
   std::optional<ToyWire> wire;
   std::optional<SupervisorNode> supervisor;
+  Time clock_ahead{0};  ///< how old everything is when it arrives
 };
 
 TEST_F(SupervisorNodeTest, ClimbsOverDds)
@@ -188,6 +189,40 @@ TEST_F(SupervisorNodeTest, SilenceOfTheDriverHolds)
   ASSERT_TRUE(run_until(300.0, [&] { return in_state("sweep_left"); })) << wire->state();
   wire->silent = true;
   ASSERT_TRUE(run_until(1.0, [&] { return in_state("held"); })) << wire->state();
+}
+
+TEST_F(SupervisorNodeTest, WhatWaitedInAQueueIsNotFresh)
+{
+  run_until(0.2, [] { return false; });
+  wire->request("1", stetro_msgs::msg::MissionRequest_Constants::KIND_CLEAN_FLIGHT, "flight");
+  ASSERT_TRUE(run_until(300.0, [&] { return in_state("sweep_left"); })) << wire->state();
+  clock_ahead = std::chrono::milliseconds(250);
+  EXPECT_FALSE(run_until(1.0, [&] { return !in_state("sweep_left"); })) << "a late network";
+  clock_ahead = std::chrono::milliseconds(800);
+  EXPECT_TRUE(run_until(1.0, [&] { return in_state("held"); })) << wire->state();
+}
+
+TEST_F(SupervisorNodeTest, RefusesRequestsByTheirStampsAndSaysSo)
+{
+  namespace kind = stetro_msgs::msg::MissionRequest_Constants;
+  namespace says = stetro_msgs::msg::MissionStatus_Constants;
+  run_until(0.2, [] { return false; });
+  const auto refusal = [&](const std::string & id) {
+    run_until(0.2, [&] { return wire->status->request_id() == id.c_str(); });
+    EXPECT_STREQ(wire->status->request_id().c_str(), id.c_str());
+    EXPECT_EQ(wire->status->answer(), says::ANSWER_REFUSED);
+    return std::string(wire->status->answer_reason().c_str());
+  };
+  wire->request_stamp = Time{0};
+  wire->request("1", kind::KIND_CLEAN_FLIGHT, "flight");
+  EXPECT_NE(refusal("1").find("zero"), std::string::npos);
+  wire->request_stamp = std::chrono::seconds(1'700'000'000);  // the clock on the wall
+  wire->request("2", kind::KIND_CLEAN_FLIGHT, "flight");
+  ASSERT_TRUE(run_until(1.0, [&] { return in_state("steer_to_find"); })) << wire->state();
+  *wire->request_stamp -= std::chrono::seconds(1);
+  wire->request("3", kind::KIND_PAUSE);
+  EXPECT_NE(refusal("3").find("before"), std::string::npos);
+  EXPECT_EQ(wire->status->mission(), says::MISSION_RUNNING);
 }
 
 TEST_F(SupervisorNodeTest, AnUnknownFlightStartsNothing)

@@ -234,7 +234,7 @@ void ToyWire::act(bool moves)
 void ToyWire::request(const std::string & id, std::uint8_t kind, const std::string & segment)
 {
   stetro_msgs::msg::MissionRequest message;
-  message.header().stamp(stamp(robot_.now));
+  message.header().stamp(stamp(request_stamp.value_or(robot_.now)));
   message.request_id(id);
   message.issuer("operator");
   message.kind(kind);

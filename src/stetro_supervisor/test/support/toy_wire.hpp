@@ -54,7 +54,8 @@ public:
   std::optional<stetro_msgs::msg::MissionStatus> status;
   std::optional<rmf_fleet_msgs::msg::FleetState> fleet;
   std::uint64_t driver_instance = 7;
-  bool silent = false;  ///< the driver says nothing more
+  bool silent = false;                ///< the driver says nothing more
+  std::optional<Time> request_stamp;  ///< of the operator's clock, if it is not the robot's
 
 private:
   void publish_ranges(const Observation & seen);
