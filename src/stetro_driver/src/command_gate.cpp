@@ -118,6 +118,7 @@ Verdict CommandGate::offer(
     verdict = judge_issuer(request);
   }
   if (verdict.accepted()) {
+    listen_for_reset(request, situation);
     verdict = judge_situation(request.motion, situation);
   }
   if (!verdict.accepted()) {
@@ -154,6 +155,31 @@ void CommandGate::latch_emergency_stop()
 {
   emergency_stop_ = true;
   drop();
+}
+
+void CommandGate::reset_emergency_stop()
+{
+  emergency_stop_ = false;
+  stopper_.reset();
+  reset_asked_ = false;
+}
+
+void CommandGate::listen_for_reset(const CommandRequest & request, const GateSituation & situation)
+{
+  if (!emergency_stop_ && !situation.emergency_stop) {
+    return;
+  }
+  if (request.motion.kind == MotionKind::kStop) {
+    stopper_ = Expiry{request.issuer, request.issuer_instance, request.sequence_number};
+    return;
+  }
+  const bool same = stopper_ && stopper_->issuer == request.issuer &&
+                    stopper_->issuer_instance == request.issuer_instance &&
+                    stopper_->sequence_number < request.sequence_number;
+  if (same) {
+    reset_asked_ = request.motion.kind == MotionKind::kHold && !situation.emergency_stop_pressed;
+    stopper_.reset();
+  }
 }
 
 void CommandGate::observe(const GateClocks & clocks)

@@ -33,7 +33,6 @@
 #include "stetro_msgs/CommandStatus.hpp"
 #include "stetro_msgs/Contacts.hpp"
 #include "stetro_msgs/Imu.hpp"
-#include "stetro_msgs/MissionRequest.hpp"
 #include "stetro_msgs/PoseWithCovarianceStamped.hpp"
 #include "stetro_msgs/RangeArray.hpp"
 #include "stetro_msgs/StairPose.hpp"
@@ -87,7 +86,6 @@ protected:
   {
     command_ = &observer_.advertise<Command>("command", qos::kCommand);
     pose_ = &observer_.advertise<geometry_msgs::msg::PoseWithCovarianceStamped>("pose", qos::kPose);
-    mission_ = &observer_.advertise<stetro_msgs::msg::MissionRequest>("mission", qos::kMission);
     count<rosgraph_msgs::msg::Clock>("/clock", qos::kClock);
     count<sensor_msgs::msg::Imu>("imu/data", qos::kSensor);
     count<stetro_msgs::msg::RangeArray>("ranges", qos::kSensor);
@@ -103,8 +101,7 @@ protected:
   {
     driver_.emplace(context_, named("driver"), setup_of(params));
     executor_.add(driver_->node());
-    ASSERT_TRUE(driver_->node().wait_matched(
-      {"command", "command_status", "ranges", "mission"}, seconds{10}));
+    ASSERT_TRUE(driver_->node().wait_matched({"command", "command_status", "ranges"}, seconds{10}));
     driver_->start();
     executor_.drain();
   }
@@ -152,15 +149,13 @@ protected:
     return answers_.empty() ? CommandStatus{} : answers_.front();
   }
 
-  /// An operator asks to clear the fault.
-  void clear_fault()
+  /// A command that rolls nowhere.
+  CommandStatus ask_to(std::uint8_t kind)
   {
-    stetro_msgs::msg::MissionRequest request;
-    request.request_id("clear");
-    request.issuer("operator");
-    request.kind(stetro_msgs::msg::MissionRequest_Constants::KIND_CLEAR_FAULT);
-    mission_->publish(request);
-    executor_.drain();
+    Command message = roll();
+    message.kind(kind);
+    message.vx(0.0);
+    return ask(message);
   }
 
   [[nodiscard]] stetro_dds::SubscriptionCounts counts(const std::string & topic)
@@ -178,7 +173,6 @@ protected:
   std::optional<DriverNode> driver_;
   stetro_dds::Publisher<Command> * command_ = nullptr;
   stetro_dds::Publisher<geometry_msgs::msg::PoseWithCovarianceStamped> * pose_ = nullptr;
-  stetro_dds::Publisher<stetro_msgs::msg::MissionRequest> * mission_ = nullptr;
   std::map<std::string, int> received_;
   std::vector<CommandStatus> answers_;
   std::uint64_t sequence_ = 0;

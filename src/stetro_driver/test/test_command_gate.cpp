@@ -259,6 +259,32 @@ TEST_F(CommandGateTest, LatchesTheEmergencyStop)
   EXPECT_EQ(offer(roll(3, 20), 20), Refusal::kNone);
 }
 
+TEST_F(CommandGateTest, AStopThenAHoldOfOneInstanceAskForTheReset)
+{
+  const auto of = [&](MotionKind kind, std::uint64_t number, std::uint64_t instance) {
+    CommandRequest request = roll(number, 0);
+    request.issuer_instance = instance;
+    request.motion = JointCommand{};
+    request.motion.kind = kind;
+    EXPECT_EQ(offer(request, 0), Refusal::kEmergencyStop);
+    return gate_.take_reset_request();
+  };
+  gate_.latch_emergency_stop();
+  EXPECT_FALSE(of(MotionKind::kHold, 1, 7)) << "it holds, as it did before";
+  EXPECT_FALSE(of(MotionKind::kStop, 2, 7));
+  EXPECT_FALSE(of(MotionKind::kHold, 1, 8)) << "another one, such as after a restart";
+  EXPECT_TRUE(of(MotionKind::kHold, 3, 7));
+  EXPECT_FALSE(of(MotionKind::kHold, 4, 7)) << "once";
+  EXPECT_FALSE(of(MotionKind::kStop, 5, 7));
+  EXPECT_FALSE(of(MotionKind::kTwist, 6, 7)) << "no motion resets";
+  EXPECT_FALSE(of(MotionKind::kHold, 7, 7));
+  EXPECT_FALSE(of(MotionKind::kStop, 8, 7));
+  situation_.emergency_stop_pressed = true;
+  EXPECT_FALSE(of(MotionKind::kHold, 9, 7));
+  situation_.emergency_stop_pressed = false;
+  EXPECT_FALSE(of(MotionKind::kHold, 10, 7)) << "it was too early, it takes another STOP";
+}
+
 TEST_F(CommandGateTest, AnEmergencyStopIsTheReasonAlsoWithoutPower)
 {
   situation_.active = false;

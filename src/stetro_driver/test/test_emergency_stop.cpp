@@ -24,13 +24,14 @@ namespace stetro_driver
 namespace
 {
 
+namespace command = stetro_msgs::msg::Command_Constants;
 namespace status = stetro_msgs::msg::CommandStatus_Constants;
 using stetro_msgs::msg::CommandStatus;
 using test::quiet;
 using test::setup_of;
 using EmergencyStop = test::DriverFixture;
 
-TEST_F(EmergencyStop, AnEmergencyStopIsResetByAPersonAfterItsRelease)
+TEST_F(EmergencyStop, AnEmergencyStopIsResetByAStopAndAHoldAfterItsRelease)
 {
   DriverParams params = quiet();
   params.sim.faults = "estop@0.1-0.5";
@@ -39,11 +40,15 @@ TEST_F(EmergencyStop, AnEmergencyStopIsResetByAPersonAfterItsRelease)
   step(20);
   const double stopped_m = x_m();
   EXPECT_EQ(ask(roll()).reason(), status::REASON_EMERGENCY_STOP);
-  clear_fault();
-  EXPECT_EQ(counts("/stetro/mission").refused, 1u) << "it is still pressed";
+  ask_to(command::KIND_STOP);
+  ask_to(command::KIND_HOLD);
+  EXPECT_EQ(ask(roll()).reason(), status::REASON_EMERGENCY_STOP) << "it is still pressed";
   step(100);
+  ask_to(command::KIND_HOLD);
+  ask_to(command::KIND_STOP);
   EXPECT_EQ(ask(roll()).reason(), status::REASON_EMERGENCY_STOP) << "released, and still latched";
-  clear_fault();
+  ask_to(command::KIND_STOP);
+  ask_to(command::KIND_HOLD);
   step(10);
   EXPECT_EQ(x_m(), stopped_m) << "it needs a new command";
   EXPECT_EQ(ask(roll()).outcome(), status::OUTCOME_ACCEPTED);
@@ -72,7 +77,8 @@ TEST_F(EmergencyStop, ALatchedEmergencyStopOutlivesTheDriver)
   const CommandStatus answer = ask(roll());
   EXPECT_EQ(answer.reason(), status::REASON_EMERGENCY_STOP);
   EXPECT_EQ(answer.driver_state(), status::DRIVER_INACTIVE);
-  clear_fault();
+  ask_to(command::KIND_STOP);
+  ask_to(command::KIND_HOLD);
   EXPECT_EQ(ask(roll()).driver_state(), status::DRIVER_ACTIVE);
   step(10);
   EXPECT_GT(x_m(), -0.5);

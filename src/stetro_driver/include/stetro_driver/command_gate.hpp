@@ -22,6 +22,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "stetro_driver/joint_command.hpp"
 #include "stetro_driver/time.hpp"
@@ -87,9 +88,10 @@ struct GateClocks
 /// What the gate has to know of the robot.
 struct GateSituation
 {
-  bool active = false;          ///< motors have power
-  bool emergency_stop = false;  ///< latched
-  bool fault = false;           ///< the hardware has a fault
+  bool active = false;                  ///< motors have power
+  bool emergency_stop = false;          ///< latched
+  bool emergency_stop_pressed = false;  ///< its button is down
+  bool fault = false;                   ///< the hardware has a fault
   double steering_rad = 0.0;
   bool steering_moving = false;
   std::array<bool, 3> standing{true, true, true};  ///< blocks 1, 2, 3 carry weight
@@ -144,6 +146,10 @@ struct GateCounters
  * A command expires `valid_for` after its stamp, or after its reception if that is earlier, so
  * that the robot stands at most `max_valid_for` after the last valid command was issued. The next
  * valid command heals. Pure: it reads no clock. One thread.
+ *
+ * While the emergency stop is latched everything is refused, and yet listened to: an issuer in a
+ * fault asks to STOP, and to HOLD as soon as a person has cleared the fault. A STOP and then a HOLD
+ * of the same instance, the button released, ask for the reset.
  */
 class CommandGate
 {
@@ -163,7 +169,9 @@ public:
 
   /// From here on everything is refused, until reset_emergency_stop().
   void latch_emergency_stop();
-  void reset_emergency_stop() { emergency_stop_ = false; }
+  void reset_emergency_stop();
+  /// Somebody has asked for the reset; true once.
+  [[nodiscard]] bool take_reset_request() { return std::exchange(reset_asked_, false); }
   [[nodiscard]] bool emergency_stop_latched() const { return emergency_stop_; }
 
   [[nodiscard]] const GateCounters & counters() const { return counters_; }
@@ -191,6 +199,7 @@ private:
   [[nodiscard]] const Issuer * find_issuer(const CommandRequest & request) const;
   void remember(const CommandRequest & request);
   void observe(const GateClocks & clocks);
+  void listen_for_reset(const CommandRequest & request, const GateSituation & situation);
 
   GateLimits limits_;
   std::optional<Lease> lease_;
@@ -199,6 +208,8 @@ private:
   GateClocks last_advance_{};
   bool clock_seen_ = false;
   bool emergency_stop_ = false;
+  std::optional<Expiry> stopper_;  ///< whose STOP came since the emergency stop was latched
+  bool reset_asked_ = false;
   GateCounters counters_{};
 };
 

@@ -47,8 +47,8 @@ public:
 
   /// Configures the hardware, and powers it if the parameters say so. Standing and holding.
   /**
-   * Stays inactive while an emergency stop is latched, also one of before a restart, until an
-   * operator asks to clear the fault with the button released.
+   * Stays inactive while an emergency stop is latched, also one of before a restart, until the
+   * button is released and its issuer shows that a person cleared the fault (see CommandGate).
    * \throws HardwareError when it cannot be configured
    */
   void start();

@@ -23,7 +23,6 @@
 #include "stetro_dds/qos.hpp"
 #include "stetro_driver/pacer.hpp"
 #include "stetro_driver/site_shape.hpp"
-#include "stetro_msgs/MissionRequest.hpp"
 #include "stetro_msgs/PoseWithCovarianceStamped.hpp"
 
 namespace stetro_driver
@@ -63,9 +62,6 @@ public:
     node_.subscribe<stetro_msgs::msg::Command>(
       "command", stetro_dds::qos::kCommand,
       [this](const stetro_msgs::msg::Command & message) { return take(to_request(message)); });
-    node_.subscribe<stetro_msgs::msg::MissionRequest>(
-      "mission", stetro_dds::qos::kMission,
-      [this](const stetro_msgs::msg::MissionRequest & message) { return take(message); });
     if (setup.params.sim.throttle) {
       node_.subscribe<geometry_msgs::msg::PoseWithCovarianceStamped>(
         "pose", stetro_dds::qos::kPose,
@@ -148,6 +144,9 @@ private:
     if (!refusal) {
       pacer_.hear(Peer::kSupervisor, request.stamp, robot_.time());
     }
+    if (desk_.gate().take_reset_request()) {
+      reset_emergency_stop(request.issuer);
+    }
     return refusal;
   }
 
@@ -160,27 +159,18 @@ private:
     return std::nullopt;
   }
 
-  /// Whoever asks the supervisor to clear a fault asks us to end a latched emergency stop.
-  std::optional<stetro_dds::Refusal> take(const stetro_msgs::msg::MissionRequest & message)
+  void reset_emergency_stop(const std::string & asked_by)
   {
-    if (
-      message.kind() != stetro_msgs::msg::MissionRequest_Constants::KIND_CLEAR_FAULT ||
-      !frame_.emergency_stop_latched) {
-      return std::nullopt;  // the supervisor's to judge
-    }
-    if (message.request_id().size() == 0 || message.issuer().size() == 0) {
-      return stetro_dds::Refusal{"bad_issuer", "request_id or issuer is empty"};
-    }
     try {
       robot_.reset_emergency_stop();
     } catch (const HardwareError & error) {
-      return stetro_dds::Refusal{"emergency_stop", error.what()};
+      node_.log().error("emergency stop not reset: {}", error.what());
+      return;
     }
     frame_.emergency_stop_latched = false;
     desk_.gate().reset_emergency_stop();
-    node_.log().info("emergency stop reset: asked for by '{}'", message.issuer().c_str());
+    node_.log().info("emergency stop reset: '{}' left its fault", asked_by);
     activate_if_told();
-    return std::nullopt;
   }
 
   /// Powers the motors if the parameters say so and nothing speaks against it.
@@ -205,6 +195,7 @@ private:
     GateSituation situation;
     situation.active = node_.lifecycle().active() && robot_.time() >= may_act_from_;
     situation.emergency_stop = frame_.emergency_stop_latched;
+    situation.emergency_stop_pressed = frame_.contact(ContactPlace::kEmergencyStop).closed;
     situation.steering_rad = frame_.steering.angle_rad;
     situation.steering_moving = frame_.steering.moving;
     for (std::size_t i = 0; i < kBlocks; ++i) {
