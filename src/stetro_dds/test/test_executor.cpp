@@ -142,7 +142,7 @@ TEST_F(OneProcess, SpinWakesForASampleFromAnotherThread)
   auto & words = talker_.advertise<String>("words", qos::kPose);
   int heard = 0;
   listener_.subscribe<String>("words", qos::kPose, [&](const String &) {
-    if (++heard == 100) {
+    if (++heard >= 100) {
       executor_.stop();
     }
   });
@@ -155,7 +155,7 @@ TEST_F(OneProcess, SpinWakesForASampleFromAnotherThread)
   });
   executor_.spin();
   writer.join();
-  EXPECT_EQ(heard, 100);
+  EXPECT_GE(heard, 100) << "a round is finished before the stop";
 }
 
 TEST_F(OneProcess, AnIdleExecutorSleeps)
