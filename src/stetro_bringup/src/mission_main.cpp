@@ -15,7 +15,6 @@
 
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <array>
 #include <chrono>
 #include <iostream>
@@ -24,6 +23,7 @@
 #include <set>
 #include <string>
 
+#include "CLI/CLI.hpp"
 #include "stetro_dds/executor.hpp"
 #include "stetro_dds/launch.hpp"
 #include "stetro_dds/node.hpp"

@@ -16,8 +16,9 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 #include <ostream>
+
+#include "nlohmann/json.hpp"
 
 namespace stetro_bringup
 {

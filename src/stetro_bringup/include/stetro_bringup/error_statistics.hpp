@@ -27,7 +27,7 @@ namespace stetro_bringup
 class ErrorStatistics
 {
 public:
-  /// \throws std::invalid_argument if `error` is not finite: a missing value is not an error of zero
+  /// \throws std::invalid_argument if `error` is not finite: a missing value is no error of zero
   void add(double error);
 
   [[nodiscard]] std::size_t count() const { return count_; }

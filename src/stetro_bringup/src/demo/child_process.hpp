@@ -25,7 +25,7 @@ namespace stetro_bringup
 {
 
 /// A program of ours, running, with what it prints going to a file.
-/** It is asked to end when this object goes, and made to if it does not; no other process ever is. */
+/** It is asked to end when this object goes, and made to if it does not; no other process is. */
 class ChildProcess
 {
 public:

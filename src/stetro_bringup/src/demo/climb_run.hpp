@@ -17,6 +17,7 @@
 #include <chrono>
 #include <fstream>
 #include <string>
+#include <vector>
 
 #include "demo_node.hpp"
 #include "demo_options.hpp"
@@ -42,7 +43,8 @@ public:
 
   [[nodiscard]] stetro_dds::Node & node() { return demo_.node(); }
 
-  /// Asks for the climb and shows how far it is; call it again and again. \return whether it goes on
+  /// Asks for the climb and shows how far it is; call it again and again.
+  /** \return whether it goes on */
   bool goes_on();
 
   /// Tells that the run cannot go on, for example because a process has died.

@@ -58,7 +58,7 @@ public:
 
   [[nodiscard]] stetro_dds::Node & node() { return node_; }
 
-  /// Asks for the flight, once the pose is trusted, until a supervisor accepts; call it now and then.
+  /// Asks for the flight, once the pose is trusted, until a supervisor accepts; call it often.
   void ask();
 
   [[nodiscard]] bool accepted() const { return accepted_; }

@@ -14,11 +14,12 @@
 #ifndef DEMO__DEMO_OPTIONS_HPP_
 #define DEMO__DEMO_OPTIONS_HPP_
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "CLI/CLI.hpp"
 
 namespace stetro_bringup
 {
@@ -42,7 +43,7 @@ struct DemoOptions
   double time_limit_s = 600.0;  ///< wall time after which the climb is given up
 };
 
-/// Declares the options on the command line; they are read into `options`, which must outlive it.
+/// Declares the options on the command line, read into `options`, which must outlive it.
 void add_options(CLI::App & app, DemoOptions & options);
 
 /// Parameters of one node, as the command line of ROS 2 takes them: name and YAML text.
@@ -52,7 +53,7 @@ using NodeSettings = std::vector<std::pair<std::string, std::string>>;
 [[nodiscard]] NodeSettings localizer_settings(const DemoOptions & options);
 [[nodiscard]] NodeSettings supervisor_settings(const DemoOptions & options);
 
-/// The shipped file `name`, for example "site/papers_staircase.yaml", in share/stetro_bringup/config.
+/// The shipped file `name` of share/stetro_bringup/config, such as "site/papers_staircase.yaml".
 /** \throws std::runtime_error if the installation has no such file */
 [[nodiscard]] std::string shipped_file(const std::string & name);
 
