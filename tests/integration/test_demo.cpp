@@ -11,7 +11,7 @@
 // WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
 // See the License for the specific language governing permissions and
 // limitations under the License.
-// The main job, as a user starts it: sixteen steps of the papers' staircase, with the world as built.
+// The main job, as a user starts it: sixteen steps of the papers' staircase, the world as built.
 
 #include <gtest/gtest.h>
 

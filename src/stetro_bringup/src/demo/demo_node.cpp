@@ -75,7 +75,10 @@ void DemoNode::ask()
   if (accepted_ || !trusted) {
     return;
   }
-  ++asked_;
+  if (!awaiting_answer_) {
+    ++asked_;
+    awaiting_answer_ = true;
+  }
   stetro_msgs::msg::MissionRequest message;
   message.header().stamp() = stamp_of(node_.clock().now());
   message.request_id() = request_id();
@@ -152,6 +155,7 @@ void DemoNode::on_mission_status(const stetro_msgs::msg::MissionStatus & message
       started_at_ = now;
     } else if (message.answer() == status::ANSWER_REFUSED) {
       refusal_ = message.answer_reason().c_str();
+      awaiting_answer_ = false;
     }
   }
   mission_ = {

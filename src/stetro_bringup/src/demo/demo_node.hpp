@@ -85,7 +85,9 @@ private:
   stetro_dds::Publisher<stetro_msgs::msg::MissionRequest> & mission_requests_;
   MissionView mission_;
   bool accepted_ = false;
-  int asked_ = 0;  ///< requests so far: each has an id of its own, for an answer is final
+  // A request is sent again under its id until it is answered; after a refusal the next has another.
+  int asked_ = 0;
+  bool awaiting_answer_ = false;
   std::string refusal_;
   std::vector<std::string> faults_;
   std::optional<Estimate> last_estimate_;
