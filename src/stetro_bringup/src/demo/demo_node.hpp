@@ -85,7 +85,7 @@ private:
   stetro_dds::Publisher<stetro_msgs::msg::MissionRequest> & mission_requests_;
   MissionView mission_;
   bool accepted_ = false;
-  // A request is sent again under its id until it is answered; after a refusal the next has another.
+  // A request is sent again under its id until it is answered; after a refusal comes another id.
   int asked_ = 0;
   bool awaiting_answer_ = false;
   std::string refusal_;
