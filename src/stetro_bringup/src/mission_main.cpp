@@ -24,6 +24,7 @@
 #include <string>
 
 #include "CLI/CLI.hpp"
+#include "demo/convert.hpp"
 #include "stetro_dds/executor.hpp"
 #include "stetro_dds/launch.hpp"
 #include "stetro_dds/node.hpp"
@@ -68,15 +69,6 @@ void visit(OperatorParams &, Visitor &&)
 {
 }
 
-builtin_interfaces::msg::Time stamp_of(std::chrono::nanoseconds time)
-{
-  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(time);
-  builtin_interfaces::msg::Time stamp;
-  stamp.sec(static_cast<std::int32_t>(seconds.count()));
-  stamp.nanosec(static_cast<std::uint32_t>((time - seconds).count()));
-  return stamp;
-}
-
 // In the order of MISSION_* of MissionStatus.
 constexpr std::array kMissionNames = {"unknown", "idle",     "running", "paused",
                                       "held",    "finished", "aborted", "fault"};
@@ -109,7 +101,7 @@ public:
   void ask(const Order & order)
   {
     MissionRequest message;
-    message.header().stamp() = stamp_of(node_.clock().now());
+    message.header().stamp() = stetro_bringup::stamp_of(node_.clock().now());
     message.request_id() = id_.c_str();
     message.issuer() = "stetro_mission";
     message.kind() = kKinds.at(order.what);

@@ -28,6 +28,9 @@ namespace stetro_bringup
 /// [ns], from seconds and nanoseconds.
 [[nodiscard]] std::chrono::nanoseconds time_of(const builtin_interfaces::msg::Time & stamp);
 
+/// The inverse of time_of().
+[[nodiscard]] builtin_interfaces::msg::Time stamp_of(std::chrono::nanoseconds time);
+
 /// Where a StairPose says the robot is.
 /**
  * What is unknown, as a pose that is lost or a place on the tread while on the floor, stays NaN.

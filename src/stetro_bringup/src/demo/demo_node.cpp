@@ -37,15 +37,6 @@ constexpr stetro_dds::QosProfile recording()
   return profile;
 }
 
-builtin_interfaces::msg::Time stamp_of(std::chrono::nanoseconds time)
-{
-  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(time);
-  builtin_interfaces::msg::Time stamp;
-  stamp.sec(static_cast<std::int32_t>(seconds.count()));
-  stamp.nanosec(static_cast<std::uint32_t>((time - seconds).count()));
-  return stamp;
-}
-
 }  // namespace
 
 DemoNode::DemoNode(
