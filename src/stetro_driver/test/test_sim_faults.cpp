@@ -57,6 +57,11 @@ TEST(SimFaults, RefusesWhatItDoesNotKnowAndListsWhatItDoes)
     "dead@3",
     "dead:front@3",
     "late:gyro@3",
+    "late:side_left@3=0.7",
+    "offset_jump:gyro@3",
+    "gain_change:riser_left@3",
+    "drift@3",
+    "bias_jump:side_left@3",
     "slip",
     "slip@x",
     "slip@-1",
@@ -108,6 +113,61 @@ TEST(SimFaults, ALateSensorArrivesLate)
   const SensorFrame frame = pilot.frame();
   EXPECT_GE(frame.time - frame.range(RangePlace::kSideLeft).stamp, std::chrono::milliseconds{220});
   EXPECT_LE(frame.time - frame.range(RangePlace::kSideRight).stamp, std::chrono::milliseconds{60});
+}
+
+TEST(SimFaults, ASensorMayBeLateByMoreThanHalfASecond)
+{
+  SimRobot robot{paper_stairs(), {}, with("late:side_left@1=0.6")};
+  Pilot pilot{robot};
+  pilot.during({}, 2.0);
+  const SensorFrame frame = pilot.frame();
+  const auto age = frame.time - frame.range(RangePlace::kSideLeft).stamp;
+  EXPECT_GE(age, std::chrono::milliseconds{620});
+  EXPECT_LE(age, std::chrono::milliseconds{660}) << "one cycle more at most";
+}
+
+// The perfect side sensor reads the same at rest: what it reads more is the fault's.
+TEST(SimFaults, OffsetGainAndDriftBendAReading)
+{
+  const auto reads_m = [](const char * faults, double at_s) {
+    SimRobot robot{paper_stairs(), {}, with(faults)};
+    Pilot pilot{robot};
+    pilot.during({}, at_s);
+    return pilot.frame().range(RangePlace::kSideLeft).range_m;
+  };
+  const double straight_m = reads_m("", 2.0);
+  constexpr double kMillimetre = 0.001;  // readings come in whole ones
+  EXPECT_NEAR(reads_m("offset_jump:side_left@1=0.05", 0.9), straight_m, 1e-9) << "not begun";
+  EXPECT_NEAR(reads_m("offset_jump:side_left@1=0.05", 2.0), straight_m + 0.05, kMillimetre);
+  EXPECT_NEAR(reads_m("offset_jump:side_left@1=-0.05", 2.0), straight_m - 0.05, kMillimetre);
+  EXPECT_NEAR(reads_m("gain_change:side_left@1=0.1", 2.0), 1.1 * straight_m, kMillimetre);
+  EXPECT_NEAR(reads_m("drift:side_left@1=0.02", 2.0), straight_m + 0.02, 2 * kMillimetre);
+  EXPECT_NEAR(reads_m("drift:side_left@1=0.02", 3.0), straight_m + 0.04, 2 * kMillimetre);
+}
+
+TEST(SimFaults, ABentReadingBelowTheMinimumIsTooNear)
+{
+  SimRobot robot{
+    paper_stairs(), {}, with("drift:stair_front@0.5=-0.05,offset_jump:stair_front@0.5=-0.3")};
+  Pilot pilot{robot};
+  pilot.during({}, 3.0);
+  const RangeReading reading = pilot.frame().range(RangePlace::kStairFront);
+  EXPECT_EQ(reading.status, RangeStatus::kTooNear);
+  EXPECT_TRUE(std::isinf(reading.range_m));
+  EXPECT_LT(reading.range_m, 0.0);
+}
+
+TEST(SimFaults, TheGyroscopesBiasJumps)
+{
+  SimRobot robot{paper_stairs(), {}, with("bias_jump:gyro@0.5-1=0.02")};
+  Pilot pilot{robot};
+  pilot.during({}, 0.4);
+  EXPECT_EQ(pilot.frame().gyro.rate_rad_s[2], 0.0);
+  pilot.during({}, 0.3);
+  EXPECT_NEAR(pilot.frame().gyro.rate_rad_s[2], 0.02, 1e-12);
+  EXPECT_EQ(pilot.frame().gyro.rate_rad_s[0], 0.0);
+  pilot.during({}, 0.5);
+  EXPECT_EQ(pilot.frame().gyro.rate_rad_s[2], 0.0) << "it is back";
 }
 
 TEST(SimFaults, ASlipOnDemandMovesTruthButNotOdometry)

@@ -30,6 +30,10 @@ enum class SimFaultKind {
   kStuck,            ///< the device repeats what it said last
   kSpike,            ///< some of its readings are far off
   kLate,             ///< its readings arrive late
+  kOffsetJump,       ///< its readings are too long by a constant from now on
+  kGainChange,       ///< its readings are too long by a share from now on
+  kDrift,            ///< its readings creep away, as behind dirt that gathers
+  kBiasJump,         ///< the gyroscope's rate is too high by a constant from now on
   kSlip,             ///< the body slips, the wheels do not feel it
   kMissedTouchdown,  ///< the next touch-down shows no lower lock and no load
   kDoubleTouchdown,  ///< the next touch-down of block 2 shows twice

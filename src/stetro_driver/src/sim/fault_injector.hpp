@@ -38,6 +38,12 @@ public:
   /// The same for faults that happen once: from now on it has happened.
   [[nodiscard]] const SimFault * strike(SimFaultKind kind);
 
+  /// How long an acting fault has acted [s].
+  [[nodiscard]] double acting_for_s(const SimFault & fault) const
+  {
+    return elapsed_s_ - fault.from_s;
+  }
+
   /// Whether one that happens once is due and has not happened.
   [[nodiscard]] bool pending(SimFaultKind kind) const;
 

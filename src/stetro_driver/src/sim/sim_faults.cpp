@@ -32,6 +32,7 @@ enum class Strikes {
   kNobody,
   kRanges,
   kRangesAndGyro,
+  kGyro,
   kAnyDevice,
 };
 
@@ -47,13 +48,21 @@ struct Entry
   std::string_view meaning;
 };
 
-constexpr std::array<Entry, 10> kEntries{{
+constexpr std::array<Entry, 14> kEntries{{
   {"dead", SimFaultKind::kDead, Strikes::kAnyDevice, false, 0, 0, 0, "does not answer"},
   {"stuck", SimFaultKind::kStuck, Strikes::kAnyDevice, false, 0, 0, 0, "repeats its last answer"},
   {"spike", SimFaultKind::kSpike, Strikes::kRangesAndGyro, true, 0.2, 0, 1,
    "this share of its readings is far off"},
-  {"late", SimFaultKind::kLate, Strikes::kRanges, true, 0.2, 0, 0.4,
+  {"late", SimFaultKind::kLate, Strikes::kRanges, true, 0.2, 0, 0.6,
    "its readings arrive so many seconds late"},
+  {"offset_jump", SimFaultKind::kOffsetJump, Strikes::kRanges, true, 0.05, -0.5, 0.5,
+   "its readings are so many metres too long"},
+  {"gain_change", SimFaultKind::kGainChange, Strikes::kRanges, true, 0.1, -0.5, 0.5,
+   "its readings are too long by this share"},
+  {"drift", SimFaultKind::kDrift, Strikes::kRanges, true, 0.002, -0.05, 0.05,
+   "its readings grow by so many metres a second"},
+  {"bias_jump", SimFaultKind::kBiasJump, Strikes::kGyro, true, 0.02, -0.5, 0.5,
+   "its rate is so many rad/s too high"},
   {"slip", SimFaultKind::kSlip, Strikes::kNobody, true, 0.02, -0.3, 0.3,
    "the body slips so many metres along its next motion"},
   {"missed_touchdown", SimFaultKind::kMissedTouchdown, Strikes::kNobody, false, 0, 0, 0,
@@ -113,6 +122,8 @@ bool strikes(Strikes strikes, const std::string & device)
       return range;
     case Strikes::kRangesAndGyro:
       return range || device == "gyro";
+    case Strikes::kGyro:
+      return device == "gyro";
     case Strikes::kAnyDevice:
       return range || device == "gyro" ||
              (holds(kContactNames, device) && device != "emergency_stop");
@@ -209,7 +220,8 @@ std::string sim_faults_help()
       out << ", " << name;
     }
   }
-  out << " (spike: ranges and gyro; late: ranges)\n";
+  out << " (spike: ranges and gyro; bias_jump: gyro; late, offset_jump, "
+         "gain_change, drift: ranges)\n";
   return out.str();
 }
 

@@ -40,6 +40,9 @@ void SimGyro::measure(double yaw_rate_rad_s, Time now, const FaultInjector & fau
     reading.rate_rad_s[axis] = bias_rad_s_[axis] + random_.normal(noise_rad_s_);
   }
   reading.rate_rad_s[2] += yaw_rate_rad_s;
+  if (const SimFault * jump = faults.acting(SimFaultKind::kBiasJump, kName)) {
+    reading.rate_rad_s[2] += jump->value;
+  }
   reading.std_dev_rad_s = noise_rad_s_;
   if (faults.acting(SimFaultKind::kDead, kName)) {
     reading_.fault = true;  // and stays as old as it is

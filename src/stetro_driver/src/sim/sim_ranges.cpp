@@ -32,7 +32,7 @@ bool cycle_ends(std::uint64_t tick) { return tick * 3 / 10 != (tick - 1) * 3 / 1
 }  // namespace
 
 SimRanges::SimRanges(const BodyShape & shape, const SimErrors & errors, std::uint64_t seed)
-: random_(seed, "range_faults")
+: minimum_m_(errors.tof_minimum_m), random_(seed, "range_faults")
 {
   for (std::size_t place = 0; place < kRangePlaces; ++place) {
     sensors_.emplace_back(shape.tof[place], errors, seed, kRangeNames[place]);
@@ -52,6 +52,34 @@ void SimRanges::observe(
   newest_ = next;
 }
 
+// What has a distance keeps one, unless it falls below what the sensor can measure.
+RangeReading SimRanges::bent(
+  RangeReading reading, std::string_view name, const FaultInjector & faults) const
+{
+  if (!std::isfinite(reading.range_m)) {
+    return reading;
+  }
+  double range_m = reading.range_m;
+  if (const SimFault * gain = faults.acting(SimFaultKind::kGainChange, name)) {
+    range_m *= 1.0 + gain->value;
+  }
+  if (const SimFault * offset = faults.acting(SimFaultKind::kOffsetJump, name)) {
+    range_m += offset->value;
+  }
+  if (const SimFault * drift = faults.acting(SimFaultKind::kDrift, name)) {
+    range_m += drift->value * faults.acting_for_s(*drift);
+  }
+  if (range_m == reading.range_m) {
+    return reading;
+  }
+  reading.range_m = std::round(range_m * 1000.0) / 1000.0;
+  if (reading.range_m < minimum_m_) {
+    reading.range_m = -std::numeric_limits<double>::infinity();
+    reading.status = RangeStatus::kTooNear;
+  }
+  return reading;
+}
+
 RangeReading SimRanges::corrupted(
   std::size_t place, RangeReading reading, const FaultInjector & faults)
 {
@@ -62,6 +90,7 @@ RangeReading SimRanges::corrupted(
     reading.std_dev_m = 0.002;
     reading.status = RangeStatus::kValid;
   }
+  reading = bent(reading, name, faults);
   if (faults.acting(SimFaultKind::kDead, name)) {
     RangeReading dead;
     dead.stamp = last.stamp;

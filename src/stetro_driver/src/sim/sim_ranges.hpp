@@ -18,6 +18,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "sim/fault_injector.hpp"
@@ -66,12 +67,16 @@ public:
   }
 
 private:
-  static constexpr std::size_t kRemembered = 16;  // half a second
+  static constexpr std::size_t kRemembered = 24;  // 0.8 s
   static constexpr std::uint64_t kLatencyTicks = 2;
 
   [[nodiscard]] RangeReading corrupted(
     std::size_t place, RangeReading reading, const FaultInjector & faults);
 
+  [[nodiscard]] RangeReading bent(
+    RangeReading reading, std::string_view name, const FaultInjector & faults) const;
+
+  double minimum_m_;
   RandomStream random_;
   std::vector<SimTof> sensors_;
   std::array<std::array<RangeReading, kRemembered>, kRangePlaces> history_{};
