@@ -31,6 +31,7 @@ namespace stetro_bringup
 struct ClimbOrder
 {
   std::uint64_t seed = 1;
+  std::size_t scenario = 0;                      ///< number of the scenario it belongs to
   std::string world = "as-built";                ///< or "site"
   std::string calibration = "factory";           ///< or "none"
   std::string faults;                            ///< as the simulator takes them

@@ -34,6 +34,7 @@ struct ScoredEstimate
   int step = 0;              ///< true tread of block 2
   bool first_tread = false;  ///< before block 2 was first lifted on the stairs
   bool after_onset = false;  ///< the injected fault has begun
+  bool confirming = false;   ///< block 2 has just come down and the step is not counted yet
   stetro_localizer::Integrity integrity{};
   TreadErrors errors{};
   double nees = 0.0;
@@ -53,6 +54,7 @@ struct HandOver
 /// What became of one injected fault.
 struct Detection
 {
+  bool struck = false;            ///< the climb lasted until the onset
   bool detected = false;          ///< integrity left OK after the onset
   double time_s = 0.0;            ///< from the onset to it, or to the end of the climb
   double motion_s = 0.0;          ///< the part of it in which the body moved
@@ -69,14 +71,18 @@ struct ClimbScore
   std::uint64_t ticks_ok = 0;  ///< from the climb's acceptance on
   std::uint64_t ticks_degraded = 0;
   std::uint64_t ticks_lost = 0;
-  std::uint64_t resets = 0;            ///< jumps that the estimate declared
-  std::uint64_t without_value = 0;     ///< estimates that lack x, y, z or the heading
-  std::uint64_t out_of_truth = 0;      ///< estimates stamped outside the kept truth
-  std::uint64_t step_checks = 0;       ///< times that block 2 was about to be lifted
-  std::uint64_t wrong_steps = 0;       ///< of these, with a wrong step
-  std::uint64_t undetected_steps = 0;  ///< of these, with integrity OK
-  double longest_exceedance_s = 0.0;   ///< error beyond the protection level while OK
-  std::optional<Detection> detection;  ///< only when a fault was injected
+  std::uint64_t treads = 0;             ///< stood on while the integrity was watched
+  std::uint64_t treads_alarmed = 0;     ///< of these, with integrity other than OK at any time
+  std::uint64_t treads_exceeded = 0;    ///< of these, with an error beyond its level while OK
+  double longest_confirmation_s = 0.0;  ///< from a touch-down to its being counted
+  std::uint64_t resets = 0;             ///< jumps that the estimate declared
+  std::uint64_t without_value = 0;      ///< estimates that lack x, y, z or the heading
+  std::uint64_t out_of_truth = 0;       ///< estimates stamped outside the kept truth
+  std::uint64_t step_checks = 0;        ///< times that block 2 was about to be lifted
+  std::uint64_t wrong_steps = 0;        ///< of these, with a wrong step
+  std::uint64_t undetected_steps = 0;   ///< of these, with integrity OK
+  double longest_exceedance_s = 0.0;    ///< error beyond the protection level while OK
+  std::optional<Detection> detection;   ///< only when a fault was injected
 };
 
 /// One climb.

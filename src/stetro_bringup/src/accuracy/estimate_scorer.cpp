@@ -35,6 +35,7 @@ using stetro_supervisor::Phase;
 using stetro_supervisor::State;
 
 constexpr double kTick_s = 0.01;
+constexpr double kConfirmation_s = 0.5;  // a touch-down not counted by then is a wrong step
 // A tenth of what the slowest motion, 2 cm/s and 0.1 rad/s, makes of a tick.
 constexpr double kMoved_m = 2e-5;
 constexpr double kTurned_rad = 1e-4;
@@ -109,6 +110,7 @@ EstimateScorer::EstimateScorer(
 void EstimateScorer::watch(const ClosedLoop & loop)
 {
   if (loop.accepted()) {
+    watch_confirmation(loop);
     watch_integrity(loop);
     watch_steps(loop);
     watch_closure(loop);
@@ -122,6 +124,7 @@ void EstimateScorer::watch(const ClosedLoop & loop)
 
 ClimbScore EstimateScorer::take()
 {
+  end_closure();
   end_tread();
   return std::move(score_);
 }
@@ -133,6 +136,37 @@ void EstimateScorer::watch_integrity(const ClosedLoop & loop)
   score_.ticks_degraded += integrity == Integrity::kDegraded ? 1 : 0;
   score_.ticks_lost += integrity == Integrity::kLost ? 1 : 0;
   score_.resets = estimate(loop).reset_counter;
+  if (loop.truth().step != tread_) {
+    end_tread();
+    tread_ = loop.truth().step;
+  }
+  alarmed_ = alarmed_ || integrity != Integrity::kOk;
+}
+
+void EstimateScorer::end_tread()
+{
+  if (tread_ > 0) {
+    ++score_.treads;
+    score_.treads_alarmed += alarmed_ ? 1 : 0;
+    score_.treads_exceeded += exceeded_ ? 1 : 0;
+  }
+  alarmed_ = false;
+  exceeded_ = false;
+}
+
+void EstimateScorer::watch_confirmation(const ClosedLoop & loop)
+{
+  const int step = loop.truth().step;
+  if (step != last_truth_.step) {
+    confirming_ = true;
+    came_down_ = loop.time();
+  }
+  if (!confirming_) {
+    return;
+  }
+  const double since_s = stetro_driver::time_to_seconds(loop.time() - came_down_);
+  confirming_ = estimate(loop).step != step && since_s <= kConfirmation_s;
+  score_.longest_confirmation_s = std::max(score_.longest_confirmation_s, since_s);
 }
 
 void EstimateScorer::watch_steps(const ClosedLoop & loop)
@@ -156,13 +190,13 @@ void EstimateScorer::watch_closure(const ClosedLoop & loop)
 {
   const int step = estimate(loop).step.value_or(0);
   if (step != closing_step_) {
-    end_tread();
+    end_closure();
     closing_step_ = step;
   }
   closure_m_ = estimate(loop).contact_closure_m;
 }
 
-void EstimateScorer::end_tread()
+void EstimateScorer::end_closure()
 {
   if (closure_m_ && closing_step_ > 0) {
     (closing_step_ == 1 ? score_.first_closures_m : score_.closures_m).push_back(*closure_m_);
@@ -176,6 +210,7 @@ void EstimateScorer::watch_fault(const ClosedLoop & loop)
     return;
   }
   Detection & detection = *score_.detection;
+  detection.struck = true;
   if (estimate(loop).integrity != Integrity::kOk) {
     detection.detected = true;
     return;
@@ -203,6 +238,7 @@ void EstimateScorer::score(const ClosedLoop & loop)
   sample.step = truth->step;
   sample.first_tread = first_tread_;
   sample.after_onset = onset_ && loop.elapsed_s() >= onset_->at_s;
+  sample.confirming = confirming_;
   sample.integrity = now.integrity;
   sample.errors = errors_of(now, *truth, flight_);
   sample.nees = nees_of(sample.errors, now.covariance);
@@ -237,13 +273,14 @@ void EstimateScorer::watch_hand_over(
 
 void EstimateScorer::watch_exceedance(const ScoredEstimate & sample, Time stamp)
 {
-  if (sample.integrity != Integrity::kOk || !exceeds(sample)) {
+  if (sample.integrity != Integrity::kOk || sample.confirming || !exceeds(sample)) {
     exceeds_since_.reset();
     return;
   }
   if (!exceeds_since_) {
     exceeds_since_ = stamp;
   }
+  exceeded_ = true;
   const double lasted_s = stetro_driver::time_to_seconds(stamp - *exceeds_since_);
   score_.longest_exceedance_s = std::max(score_.longest_exceedance_s, lasted_s);
 }

@@ -31,6 +31,10 @@ namespace stetro_bringup
  * An estimate counts when it is new and the robot works on the stairs: it sweeps, or climbs, or its
  * blocks follow. It meets the truth of its own stamp. Integrity is counted each tick from the
  * climb's acceptance on, standing and waiting included.
+ *
+ * The step changes when block 2 comes down, and an estimator counts it only when the touch-down is
+ * confirmed. Until then, for half a second at most, the two speak of two treads: those estimates are
+ * marked, for they are a whole tread and a riser apart without any error of measurement.
  */
 class EstimateScorer
 {
@@ -48,6 +52,7 @@ public:
 
 private:
   void watch_integrity(const ClosedLoop & loop);
+  void watch_confirmation(const ClosedLoop & loop);
   void watch_steps(const ClosedLoop & loop);
   void watch_closure(const ClosedLoop & loop);
   void watch_fault(const ClosedLoop & loop);
@@ -55,6 +60,7 @@ private:
   void watch_hand_over(
     const ClosedLoop & loop, const ScoredEstimate & sample, std::optional<int> step);
   void watch_exceedance(const ScoredEstimate & sample, stetro_driver::Time stamp);
+  void end_closure();
   void end_tread();
   [[nodiscard]] const stetro_localizer::StairEstimate & estimate(const ClosedLoop & loop) const
   {
@@ -71,6 +77,12 @@ private:
   std::optional<ScoredEstimate> last_;  ///< of the estimate before, if it counted
   std::optional<int> last_estimated_step_;
   std::uint32_t last_in_use_ = 0;  ///< a bit for each side and front sensor
+
+  int tread_ = -1;  ///< the tread of the next two
+  bool alarmed_ = false;
+  bool exceeded_ = false;
+  bool confirming_ = false;
+  stetro_driver::Time came_down_{0};
 
   int closing_step_ = 0;  ///< the tread of closure_m_
   std::optional<double> closure_m_;

@@ -12,18 +12,25 @@
 // See the License for the specific language governing permissions and
 // limitations under the License.
 
-#include <cmath>
-#include <cstdio>
+#include <unistd.h>
+
 #include <exception>
 #include <filesystem>
+#include <fstream>
 #include <iostream>
-#include <map>
+#include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
+#include "accuracy/accuracy_report.hpp"
 #include "accuracy/campaign.hpp"
-#include "accuracy/error_distribution.hpp"
+#include "accuracy/fault_scenario.hpp"
 #include "accuracy/options.hpp"
+#include "accuracy/plot_tables.hpp"
+#include "accuracy/progress.hpp"
+#include "demo/child_process.hpp"
+#include "demo/demo_options.hpp"
 #include "stetro_config/fault.hpp"
 
 namespace stetro_bringup
@@ -31,19 +38,89 @@ namespace stetro_bringup
 namespace
 {
 
-std::string shipped_file(const std::string & name)
+using std::chrono_literals::operator""ms;
+
+std::ofstream opened(const std::string & path)
 {
-  const auto prefix = std::filesystem::canonical("/proc/self/exe").parent_path().parent_path();
-  return (prefix / "share" / "stetro_bringup" / "config" / name).string();
+  std::ofstream file(path);
+  if (!file) {
+    throw std::runtime_error(path + ": cannot be written");
+  }
+  return file;
 }
 
-struct Quantity
+std::vector<ClimbOrder> orders_of(
+  const AccuracyOptions & options, const std::vector<std::string> & scenarios, int steps)
 {
-  const char * name;
-  double TreadErrors::*error;
-  double scale;
-  const char * unit;
-};
+  std::vector<ClimbOrder> orders;
+  const std::size_t columns = scenarios.empty() ? 1 : scenarios.size();
+  for (std::size_t scenario = 0; scenario < columns; ++scenario) {
+    for (std::uint64_t i = 0; i < options.runs; ++i) {
+      ClimbOrder order;
+      order.seed = options.first_seed + i;
+      order.scenario = scenario;
+      order.world = options.world;
+      order.calibration = options.calibration;
+      order.estimators = estimators_of(options);
+      if (!scenarios.empty()) {
+        const DrawnFaults drawn = draw_faults(scenarios[scenario], order.seed, steps);
+        order.faults = drawn.text;
+        order.onset = drawn.onset;
+      }
+      orders.push_back(order);
+    }
+  }
+  return orders;
+}
+
+AccuracyReport empty_report(
+  const AccuracyOptions & options, const std::vector<std::string> & scenarios,
+  const RobotSetup & setup)
+{
+  const auto names = estimators_of(options);
+  const int steps = setup.flight().steps();
+  AccuracyReport report{
+    options.runs,
+    options.first_seed,
+    options.world,
+    options.calibration,
+    setup.flight().id(),
+    steps,
+    names,
+    {"overall", steps, names.size()},
+    {}};
+  for (const std::string & name : scenarios) {
+    report.scenarios.emplace_back(name, steps, names.size());
+  }
+  return report;
+}
+
+void draw(const AccuracyOptions & options, const AccuracyReport & report)
+{
+  std::string names;
+  for (std::size_t i = 0; i < report.estimators.size(); ++i) {
+    const std::string & name = report.estimators[i];
+    auto treads = opened(options.out + '/' + name + "_treads.csv");
+    write_treads_csv(treads, report.overall.estimators[i]);
+    auto histogram = opened(options.out + '/' + name + "_histogram.csv");
+    write_histogram_csv(histogram, report.overall.estimators[i]);
+    names += (names.empty() ? "" : " ") + name;
+  }
+  if (options.no_plots) {
+    return;
+  }
+  const std::string log = options.out + "/gnuplot.log";
+  ChildProcess gnuplot(
+    {"gnuplot", "-e", "folder='" + options.out + "'; estimators='" + names + "'",
+     shipped_file("../plots/accuracy.gp")},
+    log);
+  while (!gnuplot.ended()) {
+    std::this_thread::sleep_for(10ms);
+  }
+  if (gnuplot.ended() != 0) {
+    std::cout << "the picture could not be drawn, see " << log << '\n';
+  }
+}
 
 int run(AccuracyOptions options)
 {
@@ -53,51 +130,26 @@ int run(AccuracyOptions options)
   if (options.robot.empty()) {
     options.robot = shipped_file("robot/stetro.yaml");
   }
+  const auto scenarios = chosen_scenarios(options.faults);
   const RobotSetup setup = read_robot_setup(options.site, options.robot, options.flight);
-  const auto names = estimators_of(options);
-  std::vector<ClimbOrder> orders;
-  for (std::uint64_t i = 0; i < options.runs; ++i) {
-    ClimbOrder order;
-    order.seed = options.first_seed + i;
-    order.world = options.world;
-    order.calibration = options.calibration;
-    order.estimators = names;
-    orders.push_back(order);
-  }
-  const std::vector<Quantity> quantities{
-    {"x", &TreadErrors::x_m, 1e3, "mm"},
-    {"x_behind", &TreadErrors::x_behind_m, 1e3, "mm"},
-    {"y", &TreadErrors::y_m, 1e3, "mm"},
-    {"z", &TreadErrors::z_m, 1e3, "mm"},
-    {"heading", &TreadErrors::heading_rad, 180.0 / M_PI, "deg"},
-    {"to_riser", &TreadErrors::heading_to_riser_rad, 180.0 / M_PI, "deg"},
-    {"flight_x", &TreadErrors::flight_x_m, 1e3, "mm"},
-    {"flight_z", &TreadErrors::flight_z_m, 1e3, "mm"}};
-  std::vector<std::map<std::string, ErrorDistribution>> all(names.size());
-  run_campaign(setup, orders, options.jobs, [&](const ClimbOrder &, const ClimbRecord & record) {
-    std::printf(
-      "seed %s: %s %s step %d, %.0f s\n", std::to_string(record.seed).c_str(),
-      to_string(record.end), record.detail.c_str(), record.last_step, record.simulated_s);
-    for (std::size_t e = 0; e < names.size(); ++e) {
-      for (const ScoredEstimate & sample : record.scores[e].samples) {
-        for (const Quantity & q : quantities) {
-          if (!sample.first_tread && std::isfinite(sample.errors.*q.error)) {
-            all[e][q.name].add(sample.errors.*q.error);
-          }
-        }
+  const auto orders = orders_of(options, scenarios, setup.flight().steps());
+  std::filesystem::create_directories(options.out);
+
+  AccuracyReport report = empty_report(options, scenarios, setup);
+  CampaignProgress progress(std::cout, isatty(STDOUT_FILENO) == 1, orders.size());
+  run_campaign(
+    setup, orders, options.jobs, [&](const ClimbOrder & order, const ClimbRecord & record) {
+      report.overall.add(record);
+      if (!report.scenarios.empty()) {
+        report.scenarios[order.scenario].add(record);
       }
-    }
-  });
-  for (std::size_t e = 0; e < names.size(); ++e) {
-    for (const Quantity & q : quantities) {
-      const ErrorDistribution & d = all[e][q.name];
-      std::printf(
-        "%s %-10s rmse %8.3f mean %8.3f std %8.3f p95 %8.3f p99.9 %8.3f max %8.3f %s (%zu)\n",
-        names[e].c_str(), q.name, q.scale * d.rmse(), q.scale * d.mean(),
-        q.scale * d.standard_deviation(), q.scale * d.percentile(0.95),
-        q.scale * d.percentile(0.999), q.scale * d.max(), q.unit, d.count());
-    }
-  }
+      progress.done(record.simulated_s);
+    });
+  progress.close();
+  opened(options.out + "/summary.json") << summary_json(report);
+  std::cout << '\n' << summary_table(report);
+  draw(options, report);
+  std::cout << "\nresults in " << options.out << std::endl;
   return 0;
 }
 

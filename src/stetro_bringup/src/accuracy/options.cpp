@@ -36,6 +36,12 @@ void add_options(CLI::App & app, AccuracyOptions & options)
   app.add_option("--calibration", options.calibration, "of the range sensors")
     ->check(CLI::IsMember({"factory", "none"}))
     ->capture_default_str();
+  app
+    .add_option(
+      "--faults", options.faults,
+      "scenarios, one after the other, or all: dead, stuck, spike, offset_jump, gain_change, "
+      "drifting, late, gyro_bias_jump, no_side_ranges, steps; or what stetro_driver --help knows")
+    ->delimiter(',');
   app.add_option("--robot", options.robot, "robot file")
     ->check(CLI::ExistingFile)
     ->default_str("the papers' robot");
