@@ -20,6 +20,7 @@
 
 #include "benchmark/standing_robot.hpp"
 #include "stetro_dds/qos.hpp"
+#include "stetro_dds/stamp.hpp"
 
 namespace bench
 {
@@ -141,9 +142,7 @@ Sink::Sink(std::uint32_t domain_id) : participant_(domain_id)
 {
   const auto record = [](LatencyRecord & latencies, std::atomic<std::size_t> & count) {
     return [&latencies, &count](const PoseWithCovarianceStamped & pose) {
-      const auto & stamp = pose.header().stamp();
-      const auto age = system_now() - std::chrono::seconds(stamp.sec()) -
-                       std::chrono::nanoseconds(stamp.nanosec());
+      const auto age = system_now() - stetro_dds::time_of(pose.header().stamp());
       if (++count > kWarmUp) {
         latencies.add(age);
       }

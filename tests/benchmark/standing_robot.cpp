@@ -18,6 +18,8 @@
 #include <string>
 #include <utility>
 
+#include "stetro_dds/stamp.hpp"
+
 namespace bench::standing
 {
 
@@ -41,7 +43,7 @@ const std::array<std::pair<const char *, double>, 8> kReadings = {{
 std_msgs::msg::Header header(std::chrono::nanoseconds stamp, const char * frame)
 {
   std_msgs::msg::Header result;
-  result.stamp(stamp_from(stamp));
+  result.stamp(stetro_dds::stamp_of(stamp));
   result.frame_id(frame);
   return result;
 }
@@ -65,22 +67,13 @@ stetro_msgs::msg::BlockState block_on_the_floor()
 
 }  // namespace
 
-builtin_interfaces::msg::Time stamp_from(std::chrono::nanoseconds time)
-{
-  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(time);
-  builtin_interfaces::msg::Time result;
-  result.sec(static_cast<std::int32_t>(seconds.count()));
-  result.nanosec(static_cast<std::uint32_t>((time - seconds).count()));
-  return result;
-}
-
 stetro_msgs::msg::RangeArray ranges(std::chrono::nanoseconds stamp)
 {
   stetro_msgs::msg::RangeArray result;
   result.header(header(stamp, "base_link"));
   for (const auto & [sensor, range_m] : kReadings) {
     stetro_msgs::msg::RangeReading reading;
-    reading.stamp(stamp_from(stamp));
+    reading.stamp(stetro_dds::stamp_of(stamp));
     reading.sensor(sensor);
     reading.range(range_m);
     reading.standard_deviation(0.01);

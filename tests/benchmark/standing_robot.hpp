@@ -34,9 +34,6 @@ stetro_msgs::msg::BlockStates blocks(std::chrono::nanoseconds stamp);
 sensor_msgs::msg::Imu imu(std::chrono::nanoseconds stamp);
 nav_msgs::msg::Odometry odometry(std::chrono::nanoseconds stamp);
 
-/// Writes nanoseconds as a stamp.
-builtin_interfaces::msg::Time stamp_from(std::chrono::nanoseconds time);
-
 }  // namespace bench::standing
 
 #endif  // TESTS__BENCHMARK__STANDING_ROBOT_HPP_

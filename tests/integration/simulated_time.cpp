@@ -27,7 +27,7 @@ using std::chrono::nanoseconds;
 nanoseconds now_simulated(const RobotRun & run)
 {
   const auto last = run.truth.last();
-  return last ? stamp_of(*last) : nanoseconds{0};
+  return last ? time_of(*last) : nanoseconds{0};
 }
 
 bool let_pass(RobotRun & run, nanoseconds duration)
@@ -70,7 +70,7 @@ Truths truths_after(const RobotRun & run, std::size_t first, nanoseconds from)
 {
   Truths truths = run.truth.samples(first);
   truths.erase(truths.begin(), std::find_if(truths.begin(), truths.end(), [&](const auto & t) {
-                 return stamp_of(t.message) >= from;
+                 return time_of(t.message) >= from;
                }));
   return truths;
 }
@@ -80,11 +80,11 @@ nanoseconds last_command(const RobotRun & run)
   namespace outcome = stetro_msgs::msg::CommandStatus_Constants;
   nanoseconds result{0};
   if (const auto command = run.commands.last()) {
-    result = stamp_of(*command);
+    result = time_of(*command);
   }
   for (const auto & status : run.command_status.samples()) {
     if (status.message.outcome() == outcome::OUTCOME_ACCEPTED) {
-      result = std::max(result, stamp_of(status.message));
+      result = std::max(result, time_of(status.message));
     }
   }
   return result;
@@ -102,7 +102,7 @@ std::string contradicted_step(const RobotRun & run, std::size_t first_truth)
     }
     const int at_most = later->message.step_index();
     const auto before = std::find_if(truths.begin(), later, [&](const auto & truth) {
-      return stamp_of(truth.message) >= stamp_of(later->message) - 2s;
+      return time_of(truth.message) >= time_of(later->message) - 2s;
     });
     const int at_least = before->message.step_index();
     if (status.message.step() < at_least || status.message.step() > at_most) {

@@ -26,6 +26,7 @@
 
 #include "integration/refusals.hpp"
 #include "integration/simulated_time.hpp"
+#include "stetro_dds/stamp.hpp"
 #include "stetro_msgs/BlockStates.hpp"
 #include "stetro_msgs/Contacts.hpp"
 #include "stetro_msgs/Imu.hpp"
@@ -39,6 +40,7 @@ namespace stetro_tests
 using builtin_interfaces::msg::Time;
 using nav_msgs::msg::Odometry;
 using sensor_msgs::msg::Imu;
+using stetro_dds::stamp_of;
 using stetro_msgs::msg::BlockStates;
 using stetro_msgs::msg::Command;
 using stetro_msgs::msg::CommandStatus;
@@ -54,14 +56,6 @@ namespace qos = stetro_dds::qos;
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-Time to_stamp(std::chrono::nanoseconds time)
-{
-  Time stamp;
-  stamp.sec(static_cast<std::int32_t>(time.count() / 1'000'000'000));
-  stamp.nanosec(static_cast<std::uint32_t>(time.count() % 1'000'000'000));
-  return stamp;
-}
 
 class BadInput : public testing::Test
 {
@@ -132,7 +126,7 @@ protected:
 
   static RangeArray good_ranges()
   {
-    const Time now = to_stamp(now_simulated(*run_));
+    const Time now = stamp_of(now_simulated(*run_));
     RangeArray message;
     message.header().stamp(now);
     message.header().frame_id("base_link");
@@ -164,8 +158,8 @@ TEST_F(BadInput, ValidRangesThatAreNoNumbers)
 TEST_F(BadInput, StampsOfZeroOfTheFutureAndOfThePast)
 {
   const auto restamp = [](RangeArray & message, std::chrono::nanoseconds time) {
-    message.header().stamp(to_stamp(time));
-    message.readings().front().stamp(to_stamp(time));
+    message.header().stamp(stamp_of(time));
+    message.readings().front().stamp(stamp_of(time));
   };
   expect_ranges_refused([&](RangeArray & m) { restamp(m, 0s); });
   expect_ranges_refused([&](RangeArray & m) { restamp(m, now_simulated(*run_) + 60s); });
@@ -177,14 +171,14 @@ TEST_F(BadInput, OtherSensorsThatAreNotFinite)
   auto & imu = hostile_->publisher<Imu>("imu/data", qos::kSensor);
   expect_refused("localizer", "/stetro/imu/data", [&] {
     Imu message;
-    message.header().stamp(to_stamp(now_simulated(*run_)));
+    message.header().stamp(stamp_of(now_simulated(*run_)));
     message.angular_velocity().z(kNan);
     imu.publish(message);
   });
   auto & odometry = hostile_->publisher<Odometry>("odom", qos::kSensor);
   expect_refused("localizer", "/stetro/odom", [&] {
     Odometry message;
-    message.header().stamp(to_stamp(now_simulated(*run_)));
+    message.header().stamp(stamp_of(now_simulated(*run_)));
     message.twist().twist().linear().x(kInfinity);
     odometry.publish(message);
   });
@@ -202,7 +196,7 @@ TEST_F(BadInput, ASequenceLongerThanItsBoundAndAnImpossibleBoolean)
   auto & blocks = raw.publisher<Raw<BlockStates>>("blocks", qos::kSensor);
   const auto send_impossible_boolean = [&] {
     BlockStates message;
-    message.header().stamp(to_stamp(now_simulated(*run_)));
+    message.header().stamp(stamp_of(now_simulated(*run_)));
     Bytes bytes = bytes_of(message);
     bytes.back() = 2;  // steering_moving
     blocks.publish({bytes});
@@ -256,7 +250,7 @@ protected:
     const Deadline deadline{20s};
     while (!deadline.passed()) {
       Command command;
-      command.header().stamp(to_stamp(now_simulated(*run_)));
+      command.header().stamp(stamp_of(now_simulated(*run_)));
       command.sequence_number(++sequence);
       command.issuer("intruder");
       command.issuer_instance(42);

@@ -53,7 +53,7 @@ TEST_P(DriverLost, WorldResumesStandingAndWaitsToBeAsked)
   const Truths waiting = run_.truth.samples(first_after);
   EXPECT_EQ(last_motion(waiting).count(), 0)
     << "nothing may move before it is asked to, but from " << to_string(waiting.front().message)
-    << " at " << stamp_of(waiting.front().message).count() << " ns it came to "
+    << " at " << time_of(waiting.front().message).count() << " ns it came to "
     << to_string(waiting.back().message) << "\n"
     << run_.stack.tails();
 

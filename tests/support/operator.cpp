@@ -16,6 +16,10 @@
 
 #include <unistd.h>
 
+#include <chrono>
+
+#include "stetro_dds/stamp.hpp"
+
 namespace stetro_tests
 {
 
@@ -27,11 +31,7 @@ namespace
 
 builtin_interfaces::msg::Time system_stamp()
 {
-  const std::chrono::nanoseconds now = std::chrono::system_clock::now().time_since_epoch();
-  builtin_interfaces::msg::Time stamp;
-  stamp.sec(static_cast<std::int32_t>(now.count() / 1'000'000'000));
-  stamp.nanosec(static_cast<std::uint32_t>(now.count() % 1'000'000'000));
-  return stamp;
+  return stetro_dds::stamp_of(std::chrono::system_clock::now().time_since_epoch());
 }
 
 }  // namespace

@@ -58,7 +58,7 @@ std::chrono::nanoseconds last_motion(const Truths & truths)
   std::chrono::nanoseconds result{0};
   for (std::size_t i = 1; i < truths.size(); ++i) {
     if (moved(between(truths[i - 1].message, truths[i].message))) {
-      result = stamp_of(truths[i].message);
+      result = time_of(truths[i].message);
     }
   }
   return result;

@@ -24,10 +24,10 @@
 #include <string>
 
 #include "CLI/CLI.hpp"
-#include "demo/convert.hpp"
 #include "stetro_dds/executor.hpp"
 #include "stetro_dds/launch.hpp"
 #include "stetro_dds/node.hpp"
+#include "stetro_dds/stamp.hpp"
 #include "stetro_msgs/MissionRequest.hpp"
 #include "stetro_msgs/MissionStatus.hpp"
 
@@ -101,7 +101,7 @@ public:
   void ask(const Order & order)
   {
     MissionRequest message;
-    message.header().stamp() = stetro_bringup::stamp_of(node_.clock().now());
+    message.header().stamp() = stetro_dds::stamp_of(node_.clock().now());
     message.request_id() = id_.c_str();
     message.issuer() = "stetro_mission";
     message.kind() = kKinds.at(order.what);

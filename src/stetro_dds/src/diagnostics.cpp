@@ -15,7 +15,6 @@
 #include "stetro_dds/diagnostics.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -23,6 +22,7 @@
 #include <vector>
 
 #include "stetro_dds/node.hpp"
+#include "stetro_dds/stamp.hpp"
 #include "stetro_msgs/DiagnosticArray.hpp"
 
 namespace stetro_dds
@@ -95,10 +95,7 @@ std::vector<std::pair<std::string, DiagnosticReport>> Diagnostics::reports() con
 void Diagnostics::publish()
 {
   msg::DiagnosticArray message;
-  const auto now = node_.clock().now();
-  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(now);
-  message.header().stamp().sec(static_cast<std::int32_t>(seconds.count()));
-  message.header().stamp().nanosec(static_cast<std::uint32_t>((now - seconds).count()));
+  message.header().stamp(stamp_of(node_.clock().now()));
   for (const auto & [name, report] : reports()) {
     msg::DiagnosticStatus status;
     status.level(static_cast<std::uint8_t>(report.health()));

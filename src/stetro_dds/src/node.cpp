@@ -26,6 +26,7 @@
 
 #include "participant.hpp"
 #include "stetro_dds/executor.hpp"
+#include "stetro_dds/stamp.hpp"
 #include "stetro_msgs/Clock.hpp"
 #include "topic_watch.hpp"
 
@@ -109,9 +110,7 @@ void Node::follow_clock_topic()
 {
   subscribe<rosgraph_msgs::msg::Clock>(
     "/clock", qos::kClock, [this](const rosgraph_msgs::msg::Clock & message) {
-      const auto & time = message.clock();
-      return clock_.set(
-        std::chrono::seconds(time.sec()) + std::chrono::nanoseconds(time.nanosec()));
+      return clock_.set(time_of(message.clock()));
     });
 }
 

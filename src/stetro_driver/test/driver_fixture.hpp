@@ -26,6 +26,7 @@
 #include "loopback.hpp"
 #include "pilot.hpp"
 #include "stetro_dds/qos.hpp"
+#include "stetro_dds/stamp.hpp"
 #include "stetro_driver/driver_node.hpp"
 #include "stetro_driver/site_shape.hpp"
 #include "stetro_msgs/Clock.hpp"
@@ -126,10 +127,8 @@ protected:
   /// A valid command to roll forward at 0.1 m/s.
   Command roll()
   {
-    const Time now = driver_->robot().time();
     Command message;
-    message.header().stamp().sec(static_cast<std::int32_t>(now.count() / 1'000'000'000));
-    message.header().stamp().nanosec(static_cast<std::uint32_t>(now.count() % 1'000'000'000));
+    message.header().stamp(stetro_dds::stamp_of(driver_->robot().time()));
     message.sequence_number(++sequence_);
     message.issuer("supervisor");
     message.issuer_instance(7);

@@ -25,15 +25,6 @@ namespace stetro_driver
 namespace
 {
 
-TEST(Convert, TimeThereAndBackIsTheIdentity)
-{
-  for (const Time time : {Time{0}, Time{1}, Time{999'999'999}, Time{1'000'000'010'000'000}}) {
-    EXPECT_EQ(to_time(to_message(time)), time);
-  }
-  EXPECT_EQ(to_message(Time{1'500'000'000}).sec(), 1);
-  EXPECT_EQ(to_message(Time{1'500'000'000}).nanosec(), 500'000'000u);
-}
-
 TEST(Convert, ReadsACommand)
 {
   stetro_msgs::msg::Command message;

@@ -26,6 +26,7 @@
 #include <utility>
 #include <vector>
 
+#include "stetro_dds/stamp.hpp"
 #include "stetro_dds/subscription.hpp"
 #include "stetro_tests/deadline.hpp"
 
@@ -128,17 +129,11 @@ private:
   std::size_t place_ = 0;
 };
 
-/// A header's or a message's stamp as nanoseconds.
-template <class Stamp>
-std::chrono::nanoseconds nanoseconds_of(const Stamp & stamp)
-{
-  return std::chrono::seconds(stamp.sec()) + std::chrono::nanoseconds(stamp.nanosec());
-}
-
+/// The time in a message's header.
 template <class Message>
-std::chrono::nanoseconds stamp_of(const Message & message)
+std::chrono::nanoseconds time_of(const Message & message)
 {
-  return nanoseconds_of(message.header().stamp());
+  return stetro_dds::time_of(message.header().stamp());
 }
 
 }  // namespace stetro_tests

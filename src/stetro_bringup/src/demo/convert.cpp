@@ -33,20 +33,6 @@ double heading_of(const geometry_msgs::msg::Quaternion & q)
 
 }  // namespace
 
-std::chrono::nanoseconds time_of(const builtin_interfaces::msg::Time & stamp)
-{
-  return std::chrono::seconds{stamp.sec()} + std::chrono::nanoseconds{stamp.nanosec()};
-}
-
-builtin_interfaces::msg::Time stamp_of(std::chrono::nanoseconds time)
-{
-  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(time);
-  builtin_interfaces::msg::Time stamp;
-  stamp.sec(static_cast<std::int32_t>(seconds.count()));
-  stamp.nanosec(static_cast<std::uint32_t>((time - seconds).count()));
-  return stamp;
-}
-
 std::optional<StairSample> sample_of(
   const stetro_msgs::msg::StairPose & message, stetro_dds::Refusal & why)
 {

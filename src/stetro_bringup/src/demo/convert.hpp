@@ -19,17 +19,14 @@
 
 #include "stetro_bringup/recorder.hpp"
 #include "stetro_dds/refusal.hpp"
+#include "stetro_dds/stamp.hpp"
 #include "stetro_msgs/StairPose.hpp"
-#include "stetro_msgs/Time.hpp"
 
 namespace stetro_bringup
 {
 
-/// [ns], from seconds and nanoseconds.
-[[nodiscard]] std::chrono::nanoseconds time_of(const builtin_interfaces::msg::Time & stamp);
-
-/// The inverse of time_of().
-[[nodiscard]] builtin_interfaces::msg::Time stamp_of(std::chrono::nanoseconds time);
+using stetro_dds::stamp_of;
+using stetro_dds::time_of;
 
 /// Where a StairPose says the robot is.
 /**

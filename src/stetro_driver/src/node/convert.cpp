@@ -84,7 +84,7 @@ stetro_msgs::msg::ContactState to_contact(const ContactReading & from)
 {
   stetro_msgs::msg::ContactState message;
   message.state(from.closed ? contact::STATE_CLOSED : contact::STATE_OPEN);
-  message.last_change(to_message(from.last_change));
+  message.last_change(stamp_of(from.last_change));
   message.fault(from.fault);
   return message;
 }
@@ -164,24 +164,10 @@ geometry_msgs::msg::Quaternion along(const Vector3 & direction)
 
 }  // namespace
 
-builtin_interfaces::msg::Time to_message(Time time)
-{
-  constexpr Time::rep kSecond = 1'000'000'000;
-  builtin_interfaces::msg::Time message;
-  message.sec(static_cast<std::int32_t>(time.count() / kSecond));
-  message.nanosec(static_cast<std::uint32_t>(time.count() % kSecond));
-  return message;
-}
-
-Time to_time(const builtin_interfaces::msg::Time & stamp)
-{
-  return std::chrono::seconds{stamp.sec()} + Time{stamp.nanosec()};
-}
-
 std_msgs::msg::Header header_of(Time time, const std::string & frame)
 {
   std_msgs::msg::Header header;
-  header.stamp(to_message(time));
+  header.stamp(stamp_of(time));
   header.frame_id(frame);
   return header;
 }
@@ -193,7 +179,7 @@ CommandRequest to_request(const stetro_msgs::msg::Command & message)
   request.issuer_cut = stetro_msgs::fills_a_string(message);  // it has no other bounded string
   request.issuer_instance = message.issuer_instance();
   request.sequence_number = message.sequence_number();
-  request.stamp = to_time(message.header().stamp());
+  request.stamp = time_of(message.header().stamp());
   request.valid_for =
     std::chrono::seconds{message.valid_for().sec()} + Time{message.valid_for().nanosec()};
   request.motion.kind = kind_of(message.kind());
@@ -212,7 +198,7 @@ stetro_msgs::msg::RangeArray to_ranges(const SensorFrame & frame)
   for (std::size_t i = 0; i < kRangePlaces; ++i) {
     const RangeReading & from = frame.ranges[i];
     stetro_msgs::msg::RangeReading to;
-    to.stamp(to_message(from.stamp));
+    to.stamp(stamp_of(from.stamp));
     to.sensor(std::string(kRangeNames[i]));
     to.range(from.range_m);
     to.standard_deviation(from.std_dev_m);
@@ -303,7 +289,7 @@ nav_msgs::msg::Odometry to_odometry(const OdometryReading & odometry)
 rosgraph_msgs::msg::Clock to_clock(Time time)
 {
   rosgraph_msgs::msg::Clock message;
-  message.clock(to_message(time));
+  message.clock(stamp_of(time));
   return message;
 }
 

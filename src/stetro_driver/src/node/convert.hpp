@@ -17,6 +17,7 @@
 
 #include <string>
 
+#include "stetro_dds/stamp.hpp"
 #include "stetro_driver/body_shape.hpp"
 #include "stetro_driver/command_gate.hpp"
 #include "stetro_driver/sensor_frame.hpp"
@@ -41,9 +42,10 @@
 namespace stetro_driver
 {
 
-[[nodiscard]] builtin_interfaces::msg::Time to_message(Time time);
+using stetro_dds::stamp_of;
+using stetro_dds::time_of;
+
 [[nodiscard]] std_msgs::msg::Header header_of(Time time, const std::string & frame);
-[[nodiscard]] Time to_time(const builtin_interfaces::msg::Time & stamp);
 
 /// A command as it came. A kind that we do not know becomes kUnknown, for the gate to refuse.
 [[nodiscard]] CommandRequest to_request(const stetro_msgs::msg::Command & message);

@@ -66,7 +66,7 @@ public:
       node_.subscribe<geometry_msgs::msg::PoseWithCovarianceStamped>(
         "pose", stetro_dds::qos::kPose,
         [this](const geometry_msgs::msg::PoseWithCovarianceStamped & message) {
-          return hear_localizer(to_time(message.header().stamp()));
+          return hear_localizer(time_of(message.header().stamp()));
         });
     }
     give_life();

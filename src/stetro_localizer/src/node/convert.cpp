@@ -24,8 +24,6 @@ namespace
 
 using Rejection = std::optional<stetro_dds::Refusal>;
 
-constexpr std::int64_t kSecond = 1'000'000'000;
-
 double yaw_of(const geometry_msgs::msg::Quaternion & q)
 {
   return std::atan2(
@@ -79,7 +77,7 @@ Rejection take_reading(
   if (std::isfinite(message.range()) && message.range() < 0.0) {
     return stetro_dds::Refusal{"negative", name + ": " + std::to_string(message.range()) + " m"};
   }
-  const Nanoseconds stamp = to_time(message.stamp());
+  const Nanoseconds stamp = time_of(message.stamp());
   if (*status == RangeStatus::kValid && (stamp <= Nanoseconds{0} || stamp > sample.stamp)) {
     return stetro_dds::Refusal{"reading_stamp", name + " is not stamped up to its array"};
   }
@@ -119,24 +117,11 @@ Rejection take_block(const stetro_msgs::msg::BlockState & message, BlockReading 
 
 }  // namespace
 
-Nanoseconds to_time(const builtin_interfaces::msg::Time & stamp)
-{
-  return Nanoseconds{static_cast<std::int64_t>(stamp.sec()) * kSecond + stamp.nanosec()};
-}
-
-builtin_interfaces::msg::Time to_message(Nanoseconds time)
-{
-  builtin_interfaces::msg::Time stamp;
-  stamp.sec(static_cast<std::int32_t>(time.count() / kSecond));
-  stamp.nanosec(static_cast<std::uint32_t>(time.count() % kSecond));
-  return stamp;
-}
-
 Rejection take(
   const stetro_msgs::msg::RangeArray & message, Nanoseconds stale_after, RangeSample & sample)
 {
   sample = RangeSample{};
-  sample.stamp = to_time(message.header().stamp());
+  sample.stamp = time_of(message.header().stamp());
   for (const auto & reading : message.readings()) {
     if (auto rejection = take_reading(reading, stale_after, sample)) {
       return rejection;
@@ -157,7 +142,7 @@ Rejection take(const stetro_msgs::msg::Contacts & m, ContactSample & sample)
     }
   }
   sample = {
-    to_time(m.header().stamp()),
+    time_of(m.header().stamp()),
     {*all[0], *all[1], *all[2]},
     {*all[3], *all[4], *all[5]},
     *all[6],
@@ -167,7 +152,7 @@ Rejection take(const stetro_msgs::msg::Contacts & m, ContactSample & sample)
 
 Rejection take(const stetro_msgs::msg::BlockStates & message, BlockSample & sample)
 {
-  sample.stamp = to_time(message.header().stamp());
+  sample.stamp = time_of(message.header().stamp());
   const std::array<const stetro_msgs::msg::BlockState *, 3> blocks{
     &message.block1(), &message.block2(), &message.block3()};
   for (std::size_t i = 0; i < blocks.size(); ++i) {
@@ -180,7 +165,7 @@ Rejection take(const stetro_msgs::msg::BlockStates & message, BlockSample & samp
 
 Rejection take(const sensor_msgs::msg::Imu & message, GyroSample & sample)
 {
-  sample = {to_time(message.header().stamp()), message.angular_velocity().z()};
+  sample = {time_of(message.header().stamp()), message.angular_velocity().z()};
   if (!std::isfinite(sample.rate_radps)) {
     return stetro_dds::Refusal{"not_finite", "angular_velocity.z"};
   }
@@ -194,7 +179,7 @@ Rejection take(
   const auto & pose = message.pose().pose();
   const auto & at = pose.position();
   sample = {
-    to_time(message.header().stamp()), twist.linear().x(), twist.linear().y(), twist.angular().z()};
+    time_of(message.header().stamp()), twist.linear().x(), twist.linear().y(), twist.angular().z()};
   const double sum = sample.vx_mps + sample.vy_mps + sample.wz_radps + at.x() + at.y() + at.z();
   if (!std::isfinite(sum) || !is_upright(pose.orientation())) {
     return stetro_dds::Refusal{"not_finite", "a speed, the position or the orientation"};

@@ -20,6 +20,7 @@
 #include <string>
 
 #include "stetro_dds/refusal.hpp"
+#include "stetro_dds/stamp.hpp"
 #include "stetro_localizer/estimator.hpp"
 #include "stetro_localizer/samples.hpp"
 #include "stetro_msgs/BlockStates.hpp"
@@ -40,8 +41,8 @@
 namespace stetro_localizer
 {
 
-[[nodiscard]] Nanoseconds to_time(const builtin_interfaces::msg::Time & stamp);
-[[nodiscard]] builtin_interfaces::msg::Time to_message(Nanoseconds time);
+using stetro_dds::stamp_of;
+using stetro_dds::time_of;
 
 /// \name Messages into samples
 /**

@@ -89,7 +89,7 @@ void fill_pose(
 
 void fill_header(std_msgs::msg::Header & header, Nanoseconds stamp, const std::string & frame)
 {
-  header.stamp(to_message(stamp));
+  header.stamp(stamp_of(stamp));
   header.frame_id(frame);
 }
 
@@ -144,7 +144,7 @@ void fill(
 
 void fill(stetro_msgs::msg::Innovations & message, const Estimator & estimator)
 {
-  message.header().stamp(to_message(estimator.estimate().stamp));
+  message.header().stamp(stamp_of(estimator.estimate().stamp));
   message.innovations().resize(kCompared.size());
   for (std::size_t i = 0; i < kCompared.size(); ++i) {
     const SourceReport & report = estimator.reports()[kCompared[i]];

@@ -159,7 +159,7 @@ Rejection LocalizerNode::Parts::take_told_pose(
   const geometry_msgs::msg::PoseWithCovarianceStamped & message)
 {
   StampGuard fresh({nanoseconds(params_.future_tolerance_s), kOldestPose});
-  const Refusal unfit = fresh.accept(to_time(message.header().stamp()), node_.clock().now());
+  const Refusal unfit = fresh.accept(time_of(message.header().stamp()), node_.clock().now());
   if (unfit != Refusal::kNone) {
     return stetro_dds::Refusal{to_string(unfit)};
   }

@@ -179,12 +179,12 @@ TEST_F(LocalizerNodeTest, AnswersEachArrayOfRangesWithItsStamp)
   robot_.tick(0.0, 0.0, 0.0);
   robot_.tick(0.0, 0.0, 0.0);
   robot_.tick(0.0, 0.0, 0.0);
-  const Nanoseconds stamp = to_time(pose_->header().stamp());
+  const Nanoseconds stamp = time_of(pose_->header().stamp());
   EXPECT_LE(robot_.now - stamp, std::chrono::milliseconds(20));
   robot_.tick(0.0, 0.0, 0.0);
   robot_.tick(0.0, 0.0, 0.0);
   robot_.tick(0.0, 0.0, 0.0);
-  EXPECT_EQ(to_time(pose_->header().stamp()) - stamp, std::chrono::milliseconds(30));
+  EXPECT_EQ(time_of(pose_->header().stamp()) - stamp, std::chrono::milliseconds(30));
 }
 
 TEST_F(LocalizerNodeTest, RefusesBadMessagesAndGoesOn)
@@ -222,7 +222,7 @@ TEST_F(LocalizerNodeTest, SaysThatItsInputsAreSilent)
   EXPECT_EQ(stair_pose_->integrity(), stair::INTEGRITY_DEGRADED);
   EXPECT_TRUE(stair_pose_->reasons() & stair::REASON_INPUT_SILENT);
   EXPECT_TRUE(stair_pose_->reasons() & stair::REASON_NO_SIDE_RANGE);
-  EXPECT_LE(robot_.now - to_time(stair_pose_->header().stamp()), std::chrono::milliseconds(100));
+  EXPECT_LE(robot_.now - time_of(stair_pose_->header().stamp()), std::chrono::milliseconds(100));
 }
 
 TEST_F(LocalizerNodeTest, GoesOnAfterARestart)

@@ -85,10 +85,10 @@ public:
   Verdict add_ranges(const RangeSample & sample, Nanoseconds now) override
   {
     stetro_msgs::msg::RangeArray message;
-    message.header().stamp(to_message(sample.stamp));
+    message.header().stamp(stamp_of(sample.stamp));
     for (const Place place : stetro_site::kPlaces) {
       stetro_msgs::msg::RangeReading reading;
-      reading.stamp(to_message(sample[place].stamp));
+      reading.stamp(stamp_of(sample[place].stamp));
       reading.sensor(stetro_site::name_of(place));
       reading.range(sample[place].range_m);
       reading.standard_deviation(std::numeric_limits<double>::quiet_NaN());
@@ -101,7 +101,7 @@ public:
   Verdict add_contacts(const ContactSample & sample, Nanoseconds now) override
   {
     stetro_msgs::msg::Contacts message;
-    message.header().stamp(to_message(sample.stamp));
+    message.header().stamp(stamp_of(sample.stamp));
     set(message.left_front(), sample.left[0]);
     set(message.left_middle(), sample.left[1]);
     set(message.left_rear(), sample.left[2]);
@@ -116,7 +116,7 @@ public:
   Verdict add_blocks(const BlockSample & sample, Nanoseconds now) override
   {
     stetro_msgs::msg::BlockStates message;
-    message.header().stamp(to_message(sample.stamp));
+    message.header().stamp(stamp_of(sample.stamp));
     const std::array<stetro_msgs::msg::BlockState *, 3> blocks{
       &message.block1(), &message.block2(), &message.block3()};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -130,7 +130,7 @@ public:
   Verdict add_gyro(const GyroSample & sample, Nanoseconds now) override
   {
     sensor_msgs::msg::Imu message;
-    message.header().stamp(to_message(sample.stamp));
+    message.header().stamp(stamp_of(sample.stamp));
     message.angular_velocity().z(sample.rate_radps);
     return send(imu_, message, now);
   }
@@ -138,7 +138,7 @@ public:
   Verdict add_odometry(const OdometrySample & sample, Nanoseconds now) override
   {
     nav_msgs::msg::Odometry message;
-    message.header().stamp(to_message(sample.stamp));
+    message.header().stamp(stamp_of(sample.stamp));
     message.twist().twist().linear().x(sample.vx_mps);
     message.twist().twist().linear().y(sample.vy_mps);
     message.twist().twist().angular().z(sample.wz_radps);

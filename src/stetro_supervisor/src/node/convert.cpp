@@ -107,25 +107,12 @@ Integrity integrity_of(std::uint8_t integrity)
 std_msgs::msg::Header header(Time now, const std::string & frame)
 {
   std_msgs::msg::Header result;
-  result.stamp(to_message(now));
+  result.stamp(stamp_of(now));
   result.frame_id(frame);
   return result;
 }
 
 }  // namespace
-
-Time to_time(const builtin_interfaces::msg::Time & stamp)
-{
-  return Time{static_cast<std::int64_t>(stamp.sec()) * kNanosPerSecond + stamp.nanosec()};
-}
-
-builtin_interfaces::msg::Time to_message(Time time)
-{
-  builtin_interfaces::msg::Time stamp;
-  stamp.sec(static_cast<std::int32_t>(time.count() / kNanosPerSecond));
-  stamp.nanosec(static_cast<std::uint32_t>(time.count() % kNanosPerSecond));
-  return stamp;
-}
 
 std::optional<Refusal> take(
   const stetro_msgs::msg::RangeArray & message, Time received, Observation & seen)
@@ -146,7 +133,7 @@ std::optional<Refusal> take(
                        std::to_string(reading.status())};
     }
     auto & last = next.ranges[stetro_site::index_of(*place)];
-    const Time measured = to_time(reading.stamp());
+    const Time measured = time_of(reading.stamp());
     if (!last || last->measured != measured) {
       last = Range{received, reading.range(), *status, measured};
     }

@@ -19,6 +19,7 @@
 #include <string>
 
 #include "stetro_dds/refusal.hpp"
+#include "stetro_dds/stamp.hpp"
 #include "stetro_msgs/BlockStates.hpp"
 #include "stetro_msgs/Command.hpp"
 #include "stetro_msgs/CommandStatus.hpp"
@@ -44,9 +45,8 @@ namespace stetro_supervisor
 {
 
 using stetro_dds::Refusal;
-
-Time to_time(const builtin_interfaces::msg::Time & stamp);
-builtin_interfaces::msg::Time to_message(Time time);
+using stetro_dds::stamp_of;
+using stetro_dds::time_of;
 
 std::optional<Refusal> take(
   const stetro_msgs::msg::RangeArray & message, Time received, Observation & seen);

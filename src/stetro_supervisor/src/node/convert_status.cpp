@@ -67,7 +67,7 @@ stetro_msgs::msg::MissionStatus to_message(
 {
   namespace wire = stetro_msgs::msg::MissionStatus_Constants;
   stetro_msgs::msg::MissionStatus message;
-  message.header().stamp(to_message(now));
+  message.header().stamp(stamp_of(now));
   message.header().frame_id(status.segment_id);
   message.answer(wire::ANSWER_NONE);
   if (answer) {
@@ -99,7 +99,7 @@ rmf_fleet_msgs::msg::FleetState to_message(
   robot.seq(entry.sequence);
   robot.mode().mode(fleet_mode(status));
   robot.battery_percent(std::numeric_limits<float>::quiet_NaN());
-  robot.location().t(to_message(now));
+  robot.location().t(stamp_of(now));
   robot.location().x(static_cast<float>(entry.pose_in_map.x_m));
   robot.location().y(static_cast<float>(entry.pose_in_map.y_m));
   robot.location().yaw(static_cast<float>(entry.pose_in_map.yaw_rad));

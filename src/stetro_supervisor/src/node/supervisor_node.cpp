@@ -101,7 +101,7 @@ void SupervisorNode::Parts::listen(
     topic, profile,
     [this, &guard](const Message & message, const Reception & reception) -> std::optional<Refusal> {
       const Time now = node_.clock().now();
-      const Time stamp = to_time(message.header().stamp());
+      const Time stamp = time_of(message.header().stamp());
       if (auto refusal = guard.judge(stamp, now, reception.writer)) {
         return refusal;
       }
@@ -148,7 +148,7 @@ std::optional<Refusal> SupervisorNode::Parts::take_pose(
   const stetro_msgs::msg::StairPose & message, const Reception & reception)
 {
   const Time now = node_.clock().now();
-  if (auto refusal = pose_stamps_.judge(to_time(message.header().stamp()), now, reception.writer)) {
+  if (auto refusal = pose_stamps_.judge(time_of(message.header().stamp()), now, reception.writer)) {
     return refusal;
   }
   const bool here = message.segment_id() == flight_.id().c_str();
@@ -158,7 +158,7 @@ std::optional<Refusal> SupervisorNode::Parts::take_pose(
                             std::to_string(flight_.steps()) + " as in the site file"};
   }
   // A latched pose of a localizer that has gone is as old as its stamp says, not as its arrival.
-  const Time measured = std::min(now, to_time(message.header().stamp()));
+  const Time measured = std::min(now, time_of(message.header().stamp()));
   if (auto refusal = take(message, measured, seen_)) {
     return refusal;
   }
@@ -173,7 +173,7 @@ std::optional<Refusal> SupervisorNode::Parts::take_status(
   const stetro_msgs::msg::CommandStatus & message, const Reception & reception)
 {
   const Time now = node_.clock().now();
-  const Time stamp = to_time(message.header().stamp());
+  const Time stamp = time_of(message.header().stamp());
   if (message.driver_instance() != driver_told_) {
     status_stamps_.restart();
   }
@@ -197,7 +197,7 @@ std::optional<Refusal> SupervisorNode::Parts::take_request(
   auto doubt = doubt_of(message);
   if (!doubt && !mission_.knows(request)) {  // one that is repeated changes nothing, however old
     doubt = request_stamps_.judge(
-      to_time(message.header().stamp()), {node_.clock().now(), node_.clock().source()},
+      time_of(message.header().stamp()), {node_.clock().now(), node_.clock().source()},
       request.issuer, reception.writer);
   }
   answer_ = doubt ? MissionAnswer{request.request_id, request.issuer, false, doubt->detail}

@@ -32,7 +32,7 @@ stetro_msgs::msg::RangeArray ranges(const char * sensor, double range_m, std::ui
   reading.sensor(sensor);
   reading.range(range_m);
   reading.status(status);
-  reading.stamp(to_message(kNow));
+  reading.stamp(stamp_of(kNow));
   stetro_msgs::msg::RangeArray message;
   message.readings({reading});
   return message;
@@ -47,12 +47,6 @@ geometry_msgs::msg::Quaternion heading(double yaw_rad)
 }
 
 }  // namespace
-
-TEST(Convert, TimeGoesThereAndBack)
-{
-  EXPECT_EQ(to_time(to_message(kNow)), kNow);
-  EXPECT_EQ(to_message(kNow).nanosec(), 7u);
-}
 
 TEST(Convert, RangesAreKeptByPlaceWithTheTimeOfReception)
 {

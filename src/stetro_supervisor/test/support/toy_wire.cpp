@@ -23,6 +23,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "stetro_dds/stamp.hpp"
+
 namespace stetro_supervisor
 {
 namespace
@@ -48,14 +50,6 @@ std::uint32_t free_domain()
     ::close(file);
   }
   throw std::runtime_error("no free domain id between 10 and 99");
-}
-
-builtin_interfaces::msg::Time stamp(Time time)
-{
-  builtin_interfaces::msg::Time message;
-  message.sec(static_cast<std::int32_t>(time.count() / 1'000'000'000));
-  message.nanosec(static_cast<std::uint32_t>(time.count() % 1'000'000'000));
-  return message;
 }
 
 geometry_msgs::msg::Quaternion turned(double yaw_rad)
@@ -133,7 +127,7 @@ void ToyWire::answer(const stetro_msgs::msg::Command & command)
 {
   command_ = command;
   stetro_msgs::msg::CommandStatus message;
-  message.header().stamp(stamp(robot_.now));
+  message.header().stamp(stetro_dds::stamp_of(robot_.now));
   message.sequence_number(command.sequence_number());
   message.issuer(command.issuer());
   message.issuer_instance(command.issuer_instance());
@@ -153,7 +147,7 @@ void ToyWire::publish()
   publish_contacts(seen);
   publish_blocks(seen);
   nav_msgs::msg::Odometry odometry;
-  odometry.header().stamp(stamp(robot_.now));
+  odometry.header().stamp(stetro_dds::stamp_of(robot_.now));
   odometry.pose().pose().position().x(seen.odometry->x_m);
   odometry.pose().pose().position().y(seen.odometry->y_m);
   odometry.pose().pose().orientation(turned(seen.odometry->yaw_rad));
@@ -163,11 +157,11 @@ void ToyWire::publish()
 void ToyWire::publish_ranges(const Observation & seen)
 {
   stetro_msgs::msg::RangeArray message;
-  message.header().stamp(stamp(robot_.now));
+  message.header().stamp(stetro_dds::stamp_of(robot_.now));
   for (const Place place : stetro_site::kPlaces) {
     stetro_msgs::msg::RangeReading reading;
     reading.sensor(stetro_site::name_of(place));
-    reading.stamp(stamp(robot_.now));
+    reading.stamp(stetro_dds::stamp_of(robot_.now));
     reading.range(seen.range(place)->range_m);
     reading.status(static_cast<std::uint8_t>(seen.range(place)->status));  // numbered alike
     message.readings().push_back(reading);
@@ -179,7 +173,7 @@ void ToyWire::publish_contacts(const Observation & seen)
 {
   const Contacts & c = *seen.contacts;
   stetro_msgs::msg::Contacts message;
-  message.header().stamp(stamp(robot_.now));
+  message.header().stamp(stetro_dds::stamp_of(robot_.now));
   message.left_front(contact(c.left[0]));
   message.left_middle(contact(c.left[1]));
   message.left_rear(contact(c.left[2]));
@@ -195,7 +189,7 @@ void ToyWire::publish_contacts(const Observation & seen)
 void ToyWire::publish_blocks(const Observation & seen)
 {
   stetro_msgs::msg::BlockStates message;
-  message.header().stamp(stamp(robot_.now));
+  message.header().stamp(stetro_dds::stamp_of(robot_.now));
   message.block1(block(seen.blocks->block[0]));
   message.block2(block(seen.blocks->block[1]));
   message.block3(block(seen.blocks->block[2]));
@@ -208,7 +202,7 @@ void ToyWire::publish_pose(const Observation & seen)
 {
   namespace wire = stetro_msgs::msg::StairPose_Constants;
   stetro_msgs::msg::StairPose message;
-  message.header().stamp(stamp(robot_.now));
+  message.header().stamp(stetro_dds::stamp_of(robot_.now));
   message.header().frame_id("flight");
   message.segment_id("flight");
   message.segment_kind(wire::SEGMENT_FLIGHT);
@@ -234,7 +228,7 @@ void ToyWire::act(bool moves)
 void ToyWire::request(const std::string & id, std::uint8_t kind, const std::string & segment)
 {
   stetro_msgs::msg::MissionRequest message;
-  message.header().stamp(stamp(request_stamp.value_or(robot_.now)));
+  message.header().stamp(stetro_dds::stamp_of(request_stamp.value_or(robot_.now)));
   message.request_id(id);
   message.issuer("operator");
   message.kind(kind);
