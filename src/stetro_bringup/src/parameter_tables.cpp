@@ -40,8 +40,10 @@ int main()
     << "# Parameters\n\n"
        "Written by `stetro_parameter_tables`; a test holds this page to the code. Files have the\n"
        "layout of ROS 2 (`/stetro/driver:`, below it `ros__parameters:`), the command line is\n"
-       "`--ros-args --params-file FILE -p name:=value`. An unknown name, a wrong type or a value\n"
-       "that is not accepted ends the program with exit code 2 and a list of every fault.\n";
+       "`--ros-args --params-file FILE -p name:=value`. An unknown name, a wrong type, a value\n"
+       "that is not accepted or a node given twice in one file ends the program with exit code 2\n"
+       "and a list of every fault. A section for a node of another program is a warning in the "
+       "log.\n";
   print<stetro_dds::NodeParams>("Every node", "How a component talks and which time it follows.");
   print<stetro_driver::DriverParams>("Driver", "Node `/stetro/driver`.");
   print<stetro_localizer::LocalizerParams>("Localizer", "Node `/stetro/localizer`.");

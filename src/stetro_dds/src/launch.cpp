@@ -111,6 +111,7 @@ NodeOptions Launch::node_options(const std::string & name, const std::string & n
     faults_.add({"command line", 0, error.kind, error.value, error.accepted});
   }
   names_.insert({name, node_name.name, node_name.full()});
+  full_names_.push_back(node_name.full());
   return options;
 }
 
@@ -141,8 +142,22 @@ void Launch::adopt(const NodeParams & params, NodeOptions & options)
   agree("dds.ros_distro", common_->ros_distro, params.ros_distro);
 }
 
+void Launch::warn_of_strays() const
+{
+  std::string ours;
+  for (const auto & name : full_names_) {
+    ours += (ours.empty() ? "" : ", ") + name;
+  }
+  for (const auto & section : files_.sections_for_none_of(full_names_)) {
+    spdlog::warn(
+      "{}:{}: section '{}' names no node of this program ({}), its parameters are not read",
+      section.origin.file, section.origin.line, section.pattern, ours);
+  }
+}
+
 void Launch::check() const
 {
+  std::call_once(strays_told_, [this] { warn_of_strays(); });
   stetro_config::Faults all = faults_;
   for (const auto & override : arguments_.overrides) {
     if (!override.node.empty() && names_.count(override.node) == 0) {

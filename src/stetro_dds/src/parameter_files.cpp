@@ -17,7 +17,9 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "stetro_config/value.hpp"
@@ -72,6 +74,61 @@ bool forgets_namespace(const std::string & pattern, const std::string & full_nam
   return of_pattern.size() == 1 && of_name.size() > 1 && of_pattern.front() == of_name.back();
 }
 
+/// Goes down the namespaces of one file to its sections.
+class SectionFinder
+{
+public:
+  SectionFinder(
+    std::string file, stetro_config::Faults & faults, std::vector<ParameterSection> & found)
+  : file_(std::move(file)), faults_(faults), found_(found)
+  {
+  }
+
+  /// \param name of the map, its namespaces included; empty for the file's root \param line of it
+  void descend(const YAML::Node & map, const std::string & name, int line)
+  {
+    for (const auto & entry : map) {
+      const std::string key = entry.first.IsScalar() ? entry.first.Scalar() : "";
+      const int key_line = stetro_config::line_of(entry.first);
+      const YAML::Node & value = entry.second;
+      if (key == kParameters && !name.empty()) {
+        if (value.IsMap()) {
+          take(name, value, line);
+        } else if (!value.IsNull()) {
+          refuse(key_line, key, value, "a map of parameters");
+        }
+      } else if (value.IsMap() && key != kParameters && depth_of(name) < kDeepestName) {
+        descend(value, name + (key.substr(0, 1) == "/" ? "" : "/") + key, key_line);
+      } else {
+        refuse(key_line, name + "/" + key, value, "a node's name with ros__parameters below it");
+      }
+    }
+  }
+
+private:
+  void take(const std::string & name, const YAML::Node & parameters, int line)
+  {
+    const auto [first, fresh] = line_of_.emplace(name, line);
+    if (fresh) {
+      found_.push_back({name, parameters, {file_, line}});
+    } else {
+      const std::string place = "first on line " + std::to_string(first->second);
+      refuse(line, name, parameters, "once only in a file; " + place);
+    }
+  }
+
+  void refuse(
+    int line, const std::string & name, const YAML::Node & value, const std::string & accepted)
+  {
+    faults_.add({file_, line, name, stetro_config::excerpt(value), accepted});
+  }
+
+  const std::string file_;
+  stetro_config::Faults & faults_;
+  std::vector<ParameterSection> & found_;
+  std::map<std::string, int> line_of_;  // of the sections found, by their name
+};
+
 }  // namespace
 
 bool addresses(const std::string & pattern, const std::string & full_name)
@@ -86,31 +143,7 @@ ParameterFiles::ParameterFiles(
 {
   for (const auto & path : paths) {
     if (const auto root = stetro_config::read_yaml_file(path, faults)) {
-      collect(*root, "", path, faults);
-    }
-  }
-}
-
-void ParameterFiles::collect(
-  const YAML::Node & map, const std::string & prefix, const std::string & file,
-  stetro_config::Faults & faults)
-{
-  for (const auto & entry : map) {
-    const std::string key = entry.first.IsScalar() ? entry.first.Scalar() : "";
-    const int line = stetro_config::line_of(entry.first);
-    const YAML::Node & value = entry.second;
-    if (key == kParameters && !prefix.empty()) {
-      if (value.IsMap()) {
-        sections_.push_back({prefix, value, file, line});
-      } else if (!value.IsNull()) {
-        faults.add({file, line, key, stetro_config::excerpt(value), "a map of parameters"});
-      }
-    } else if (value.IsMap() && key != kParameters && depth_of(prefix) < kDeepestName) {
-      collect(value, prefix + (key.substr(0, 1) == "/" ? "" : "/") + key, file, faults);
-    } else {
-      faults.add(
-        {file, line, prefix + "/" + key, stetro_config::excerpt(value),
-         "a node's name with ros__parameters below it"});
+      SectionFinder(path, faults, sections_).descend(*root, "", 0);
     }
   }
 }
@@ -121,13 +154,29 @@ void ParameterFiles::each_section(
 {
   for (const auto & section : sections_) {
     if (addresses(section.pattern, full_name)) {
-      visit_section(section.parameters, section.file);
+      visit_section(section.parameters, section.origin.file);
     } else if (forgets_namespace(section.pattern, full_name)) {
       faults.add(
-        {section.file, section.line, kParameters, "for " + section.pattern,
+        {section.origin.file, section.origin.line, kParameters, "for " + section.pattern,
          full_name + " or /**" + section.pattern});
     }
   }
+}
+
+std::vector<ParameterSection> ParameterFiles::sections_for_none_of(
+  const std::vector<std::string> & full_names) const
+{
+  std::vector<ParameterSection> strays;
+  for (const auto & section : sections_) {
+    const bool concerns_us =
+      std::any_of(full_names.begin(), full_names.end(), [&section](const std::string & name) {
+        return addresses(section.pattern, name) || forgets_namespace(section.pattern, name);
+      });
+    if (!concerns_us) {
+      strays.push_back(section);
+    }
+  }
+  return strays;
 }
 
 }  // namespace stetro_dds

@@ -15,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <csignal>
 #include <functional>
 #include <string>
 #include <vector>
@@ -160,6 +161,49 @@ TEST(RunMain, EndsWith2AndEveryFaultWithItsPlace)
   EXPECT_NE(said.find(file.path() + ":3: greting"), std::string::npos) << said;
   EXPECT_NE(said.find(file.path() + ":4: period_s"), std::string::npos) << said;
   EXPECT_NE(said.find("command line: hang"), std::string::npos) << said;
+}
+
+TEST(RunMain, EndsWith2OnANodeSectionGivenTwice)
+{
+  const ParameterFile file(
+    "/test/lonely: {ros__parameters: {greeting: x}}\n"
+    "test: {lonely: {ros__parameters: {greeting: y}}}\n");
+  const auto [code, said] = run({"--ros-args", "--params-file", file.path()});
+  EXPECT_EQ(code, 2);
+  EXPECT_NE(said.find(file.path() + ":2: /test/lonely: "), std::string::npos) << said;
+}
+
+TEST(RunMain, WarnsOfASectionThatNamesNoNodeOfTheProgram)
+{
+  const ParameterFile file(
+    "/test/lonly: {ros__parameters: {greeting: x}}\n"
+    "/test/other: {ros__parameters: {greeting: y}}\n"
+    "/test/*: {ros__parameters: {greeting: z}}\n");
+  ChildProcess child(LONELY_NODE, {"--ros-args", "--params-file", file.path()});
+  const auto warned = [&](const std::string & line, const std::string & section) {
+    return child.said().find(
+             "[warning] [lonely_node] " + file.path() + ":" + line + ": section '" + section +
+             "' names no node of this program") != std::string::npos;
+  };
+  for (int i = 0; i < 500 && !warned("2", "/test/other"); ++i) {
+    ASSERT_FALSE(child.wait(std::chrono::milliseconds(20))) << "another program's node is no fault";
+  }
+  EXPECT_TRUE(warned("1", "/test/lonly")) << child.said();
+  EXPECT_TRUE(warned("2", "/test/other")) << child.said();
+  EXPECT_EQ(child.said().find("'/test/*'"), std::string::npos) << child.said();
+  child.send(SIGTERM);
+  EXPECT_EQ(child.wait(std::chrono::seconds(5)), 0) << child.said();
+}
+
+TEST(RunMain, WarnsOnceAndBeforeTheFaults)
+{
+  const ParameterFile file("/test/lonly: {ros__parameters: {greeting: x}}\n");
+  const auto [code, said] = run({"--ros-args", "--params-file", file.path(), "-p", "hang:=maybe"});
+  EXPECT_EQ(code, 2);
+  const auto warning = said.find("'/test/lonly'");
+  ASSERT_NE(warning, std::string::npos) << said;
+  EXPECT_EQ(said.find("'/test/lonly'", warning + 1), std::string::npos) << said;
+  EXPECT_LT(warning, said.find("command line: hang")) << said;
 }
 
 TEST(RunMain, EndsWith2OnACommandLineItDoesNotUnderstand)

@@ -15,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "stetro_dds/parameter_files.hpp"
@@ -59,7 +60,7 @@ TEST(ParameterFiles, ReachTheNodesTheyName)
   const auto values = reaching(
     "/stetro/driver",
     "/**: {ros__parameters: {x: 1}}\n"
-    "/stetro/driver: {ros__parameters: {x: 2}}\n"
+    "/*/driver: {ros__parameters: {x: 2}}\n"
     "stetro: {driver: {ros__parameters: {x: 3}}, localizer: {ros__parameters: {x: 4}}}\n"
     "/stetro: {'*': {ros__parameters: {x: 5}}}\n"
     "/other/driver: {ros__parameters: {x: 6}}\n",
@@ -74,6 +75,88 @@ TEST(ParameterFiles, RefuseASectionThatForgetsTheNamespace)
   EXPECT_TRUE(reaching("/stetro/driver", "driver: {ros__parameters: {x: 1}}\n", faults).empty());
   ASSERT_EQ(faults.size(), 1U);
   EXPECT_NE(faults[0].accepted.find("/stetro/driver"), std::string::npos);
+}
+
+/// The patterns of the sections that mean none of the nodes, with their lines.
+std::vector<std::pair<std::string, int>> strays(
+  const std::vector<std::string> & nodes, const std::string & text)
+{
+  stetro_config::Faults faults;
+  const ParameterFile file(text);
+  const ParameterFiles files({file.path()}, faults);
+  EXPECT_TRUE(faults.empty());
+  std::vector<std::pair<std::string, int>> found;
+  for (const ParameterSection & section : files.sections_for_none_of(nodes)) {
+    EXPECT_EQ(section.origin.file, file.path());
+    found.emplace_back(section.pattern, section.origin.line);
+  }
+  return found;
+}
+
+TEST(ParameterFiles, TellWhichSectionsMeanNoneOfTheNodes)
+{
+  const std::string text =
+    "/**: {ros__parameters: {x: 1}}\n"
+    "/stetro/drivr:\n"
+    "  ros__parameters: {x: 2}\n"
+    "stetro:\n"
+    "  localizer: {ros__parameters: {x: 3}}\n"
+    "  '*': {ros__parameters: {x: 4}}\n"
+    "/other/**: {ros__parameters: {x: 5}}\n";
+  using Strays = std::vector<std::pair<std::string, int>>;
+  EXPECT_EQ(
+    strays({"/stetro/driver"}, text),
+    (Strays{{"/stetro/drivr", 2}, {"/stetro/localizer", 5}, {"/other/**", 7}}));
+  EXPECT_EQ(
+    strays({"/stetro/driver", "/stetro/localizer"}, text),
+    (Strays{{"/stetro/drivr", 2}, {"/other/**", 7}}));
+}
+
+TEST(ParameterFiles, DoNotCallStrayWhatIsRefusedAlready)
+{
+  const std::string text = "driver: {ros__parameters: {x: 1}}\n";
+  EXPECT_TRUE(strays({"/stetro/driver"}, text).empty()) << "it forgets the namespace";
+  EXPECT_EQ(strays({"/stetro/localizer"}, text).size(), 1U);
+}
+
+TEST(ParameterFiles, RefuseASectionGivenTwiceInOneFile)
+{
+  stetro_config::Faults faults;
+  reaching(
+    "/stetro/driver",
+    "/stetro/driver: {ros__parameters: {x: 1}}\n"
+    "/stetro/localizer: {ros__parameters: {x: 2}}\n"
+    "stetro:\n"
+    "  driver: {ros__parameters: {x: 3}}\n"
+    "/stetro/localizer: {ros__parameters: {x: 4}}\n",
+    faults);
+  ASSERT_EQ(faults.size(), 2U);
+  EXPECT_EQ(faults[0].name, "/stetro/driver");
+  EXPECT_EQ(faults[0].line, 4) << "nested or in one key, it is the same name";
+  EXPECT_NE(faults[0].accepted.find("line 1"), std::string::npos) << faults[0];
+  EXPECT_EQ(faults[1].name, "/stetro/localizer");
+  EXPECT_EQ(faults[1].line, 5);
+  EXPECT_NE(faults[1].accepted.find("line 2"), std::string::npos) << faults[1];
+}
+
+TEST(ParameterFiles, RefuseParametersGivenTwiceBelowOneName)
+{
+  stetro_config::Faults faults;
+  reaching("/driver", "/driver:\n  ros__parameters: {x: 1}\n  ros__parameters: {x: 2}\n", faults);
+  ASSERT_EQ(faults.size(), 1U);
+  EXPECT_EQ(faults[0].name, "/driver");
+}
+
+TEST(ParameterFiles, TakeASectionOfEachFile)
+{
+  stetro_config::Faults faults;
+  const ParameterFile file("/driver: {ros__parameters: {x: 1}}\n");
+  const ParameterFiles files({file.path(), file.path()}, faults);
+  int sections = 0;
+  files.each_section(
+    "/driver", faults, [&](const YAML::Node &, const std::string &) { ++sections; });
+  EXPECT_EQ(sections, 2) << "the last wins";
+  EXPECT_TRUE(faults.empty());
 }
 
 TEST(ParameterFiles, RefuseAnotherLayout)

@@ -22,6 +22,7 @@
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "CLI/CLI.hpp"
 #include "stetro_config/loader.hpp"
@@ -93,7 +94,13 @@ public:
   /// Faults found outside parameters, a site file's for instance, can join the others here.
   [[nodiscard]] stetro_config::Faults & faults() { return faults_; }
 
-  /// \throws stetro_config::ConfigError with every fault of every node configured so far
+  /// Once every node is configured: is everything that was written right?
+  /**
+   * Its first call logs a warning for each section of a parameter file that none of the nodes
+   * reads: it is meant for another program, or its name is misspelt.
+   *
+   * \throws stetro_config::ConfigError with every fault of every node
+   */
   void check() const;
 
   /// Domain, network scope and distro for the process. \throws as `check()`
@@ -111,12 +118,15 @@ private:
   void each_override(
     const NodeOptions & options, const std::string & default_name,
     const std::function<void(const std::string &, const std::string &)> & visit_override) const;
+  void warn_of_strays() const;
   void adopt(const NodeParams & params, NodeOptions & options);
 
   RosArguments arguments_;
   stetro_config::Faults faults_;
   ParameterFiles files_;
-  std::set<std::string> names_;       ///< of the nodes configured, every way they may be called
+  std::set<std::string> names_;  ///< of the nodes configured, every way they may be called
+  std::vector<std::string> full_names_;
+  mutable std::once_flag strays_told_;
   std::optional<NodeParams> common_;  ///< of the first node; the others must agree
   std::mutex mutex_;
   Executor * spinning_ = nullptr;

@@ -27,17 +27,27 @@
 namespace stetro_dds
 {
 
+/// What a parameter file holds for the nodes of one pattern.
+struct ParameterSection
+{
+  std::string pattern;  ///< "/**", "/stetro/driver"
+  YAML::Node parameters;
+  stetro_config::Origin origin;  ///< of the name above the parameters
+};
+
 /// Parameter files in the layout of ROS 2, addressed to nodes by name.
 /**
  * Above the literal key `ros__parameters` stands the node's full name, in one key or nested by
  * namespace; `*` stands for one part of it, `**` for any number. A bare `driver:` means the node
  * `/driver`, as in ROS 2, and is refused if the process has a `driver` elsewhere, since it would
- * silently mean nobody. Sections for nodes of other processes are skipped.
+ * silently mean nobody. Sections for nodes of other processes are skipped: a name that is misspelt
+ * looks just like them, so a program says which it skips.
  */
 class ParameterFiles
 {
 public:
-  /// Reads the files in order. A file that is not YAML in this layout adds faults.
+  /// Reads the files in order. A file that is not YAML in this layout, or has two sections of one
+  /// name, adds faults.
   ParameterFiles(const std::vector<std::string> & paths, stetro_config::Faults & faults);
 
   /// Calls with each section's map that addresses the node, in the order written: the last wins.
@@ -46,19 +56,13 @@ public:
     const std::function<void(const YAML::Node & map, const std::string & file)> & visit_section)
     const;
 
-private:
-  struct Section
-  {
-    std::string pattern;  ///< "/**", "/stetro/driver"
-    YAML::Node parameters;
-    std::string file;
-    int line;
-  };
-  void collect(
-    const YAML::Node & map, const std::string & prefix, const std::string & file,
-    stetro_config::Faults & faults);
+  /// The sections that address none of these nodes, in the order written, without those that
+  /// `each_section` refuses.
+  [[nodiscard]] std::vector<ParameterSection> sections_for_none_of(
+    const std::vector<std::string> & full_names) const;
 
-  std::vector<Section> sections_;
+private:
+  std::vector<ParameterSection> sections_;
 };
 
 /// Whether a pattern such as `/**`, `/stetro/*` or `/stetro/driver` names the node.
