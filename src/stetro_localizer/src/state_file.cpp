@@ -14,116 +14,36 @@
 
 #include "stetro_localizer/state_file.hpp"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-#include <sstream>
+#include <utility>
 
 namespace stetro_localizer
 {
-namespace
+
+StateFile::StateFile(std::string path)
+: file_(std::move(path), "stetro_localizer_state 1", stetro_config::Seal::kFnv1a)
 {
-
-// An open file descriptor, closed at the end of its scope.
-class Descriptor
-{
-public:
-  Descriptor(const std::string & path, int flags) : fd_(::open(path.c_str(), flags, 0644)) {}
-  Descriptor(const Descriptor &) = delete;
-  Descriptor & operator=(const Descriptor &) = delete;
-  ~Descriptor()
-  {
-    if (fd_ >= 0) {
-      ::close(fd_);
-    }
-  }
-
-  [[nodiscard]] bool is_open() const { return fd_ >= 0; }
-  [[nodiscard]] bool sync() const { return ::fsync(fd_) == 0; }
-  [[nodiscard]] bool write_all(const std::string & text) const
-  {
-    std::size_t done = 0;
-    while (done < text.size()) {
-      const ssize_t count = ::write(fd_, text.data() + done, text.size() - done);
-      if (count < 0 && errno != EINTR) {
-        return false;
-      }
-      done += count > 0 ? static_cast<std::size_t>(count) : 0;
-    }
-    return true;
-  }
-
-private:
-  int fd_;
-};
-
-std::string failure(const std::string & what, const std::string & path)
-{
-  return what + " " + path + ": " + std::strerror(errno);
 }
-
-std::string folder_of(const std::string & path)
-{
-  const std::size_t slash = path.rfind('/');
-  if (slash == std::string::npos) {
-    return ".";
-  }
-  return slash == 0 ? "/" : path.substr(0, slash);
-}
-
-}  // namespace
 
 StateReading StateFile::read() const
 {
-  StateReading reading;
-  struct stat found
-  {
-  };
-  if (path_.empty() || (::stat(path_.c_str(), &found) != 0 && errno == ENOENT)) {
-    return reading;
+  using Kept = stetro_config::KeptReading::Kind;
+  const auto kept = file_.read();
+  if (kept.kind == Kept::kMissing) {
+    return {};
   }
-  std::ifstream file(path_, std::ios::binary);
-  std::ostringstream text;
-  if (!file || !(text << file.rdbuf())) {
-    reading.kind = StateReading::Kind::kDamaged;
-    reading.why = path_ + ": it cannot be read, or it is empty";
-    return reading;
+  if (kept.kind == Kept::kDamaged) {
+    return {StateReading::Kind::kDamaged, {}, kept.why};
   }
   std::string why;
-  if (const auto state = parse_stored_state(text.str(), why)) {
-    reading.kind = StateReading::Kind::kFound;
-    reading.state = *state;
-  } else {
-    reading.kind = StateReading::Kind::kDamaged;
-    reading.why = path_ + ": " + why;
+  if (const auto state = parse_stored_state(kept.lines, why)) {
+    return {StateReading::Kind::kFound, *state, ""};
   }
-  return reading;
+  return {StateReading::Kind::kDamaged, {}, path() + ": " + why};
 }
 
 std::optional<std::string> StateFile::write(const StoredState & state) const
 {
-  if (path_.empty()) {
-    return std::nullopt;
-  }
-  const std::string beside = path_ + ".new";
-  {
-    const Descriptor file(beside, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC);
-    if (!file.is_open() || !file.write_all(to_text(state)) || !file.sync()) {
-      return failure("cannot write", beside);
-    }
-  }
-  if (::rename(beside.c_str(), path_.c_str()) != 0) {
-    return failure("cannot rename to", path_);
-  }
-  const Descriptor folder(folder_of(path_), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (!folder.is_open() || !folder.sync()) {
-    return failure("cannot sync the folder of", path_);
-  }
-  return std::nullopt;
+  return file_.replace(to_text(state));
 }
 
 }  // namespace stetro_localizer

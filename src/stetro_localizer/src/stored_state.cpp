@@ -20,27 +20,12 @@
 #include <cstdint>
 #include <map>
 #include <sstream>
-#include <string_view>
 #include <system_error>
 
 namespace stetro_localizer
 {
 namespace
 {
-
-constexpr char kFormat[] = "stetro_localizer_state 1";
-constexpr char kChecksum[] = "checksum ";
-
-// 64-bit FNV-1a: finds every torn or edited file, which is all that is asked of it.
-std::uint64_t checksum(std::string_view text)
-{
-  std::uint64_t hash = 0xcbf29ce484222325ULL;
-  for (const char letter : text) {
-    hash ^= static_cast<unsigned char>(letter);
-    hash *= 0x100000001b3ULL;
-  }
-  return hash;
-}
 
 std::string exact(double number)
 {
@@ -91,26 +76,12 @@ bool read_number(const std::string & text, Number & number)
   return result.ec == std::errc{} && result.ptr == end;
 }
 
-// The lines between format and checksum as a map; nothing if the frame around them is broken.
-std::optional<std::map<std::string, std::string>> unseal(
-  const std::string & text, std::string & why)
+using Lines = std::map<std::string, std::string>;
+
+Lines lines_of(const std::string & text)
 {
-  const std::size_t seal = text.rfind(kChecksum);
-  if (text.compare(0, sizeof(kFormat) - 1, kFormat) != 0) {
-    why = "it does not begin with '" + std::string(kFormat) + "'";
-    return std::nullopt;
-  }
-  if (seal == std::string::npos) {
-    why = "it has no checksum: it is not whole";
-    return std::nullopt;
-  }
-  const std::string body = text.substr(0, seal);
-  if (text.substr(seal) != kChecksum + std::to_string(checksum(body)) + "\n") {
-    why = "its checksum does not fit";
-    return std::nullopt;
-  }
-  std::map<std::string, std::string> lines;
-  std::istringstream stream(body.substr(sizeof(kFormat)));
+  Lines lines;
+  std::istringstream stream(text);
   for (std::string line; std::getline(stream, line);) {
     const std::size_t space = line.find(' ');
     lines[line.substr(0, space)] = space == std::string::npos ? "" : line.substr(space + 1);
@@ -118,7 +89,7 @@ std::optional<std::map<std::string, std::string>> unseal(
   return lines;
 }
 
-bool read_step(const std::map<std::string, std::string> & lines, StoredState & state)
+bool read_step(const Lines & lines, StoredState & state)
 {
   const auto index = lines.find("step.index");
   if (index == lines.end()) {
@@ -139,7 +110,7 @@ bool read_step(const std::map<std::string, std::string> & lines, StoredState & s
 
 std::string to_text(const StoredState & state)
 {
-  std::string text = std::string(kFormat) + "\nflight_id " + state.flight_id + "\n";
+  std::string text = "flight_id " + state.flight_id + "\n";
   text += "reset_counter " + std::to_string(state.reset_counter) + "\n";
   if (state.step) {
     text += "step.index " + std::to_string(state.step->step) + "\n";
@@ -148,24 +119,21 @@ std::string to_text(const StoredState & state)
   each_number(state, [&text](const std::string & name, double number) {
     text += name + " " + exact(number) + "\n";
   });
-  return text + kChecksum + std::to_string(checksum(text)) + "\n";
+  return text;
 }
 
 std::optional<StoredState> parse_stored_state(const std::string & text, std::string & why)
 {
-  const auto lines = unseal(text, why);
-  if (!lines) {
-    return std::nullopt;
-  }
+  const Lines lines = lines_of(text);
   StoredState state;
-  const auto flight = lines->find("flight_id");
-  const auto resets = lines->find("reset_counter");
-  bool whole = flight != lines->end() && resets != lines->end() &&
-               read_number(resets->second, state.reset_counter) && read_step(*lines, state);
+  const auto flight = lines.find("flight_id");
+  const auto resets = lines.find("reset_counter");
+  bool whole = flight != lines.end() && resets != lines.end() &&
+               read_number(resets->second, state.reset_counter) && read_step(lines, state);
   each_number(state, [&](const std::string & name, double & number) {
-    const auto line = lines->find(name);
+    const auto line = lines.find(name);
     whole =
-      whole && line != lines->end() && read_number(line->second, number) && std::isfinite(number);
+      whole && line != lines.end() && read_number(line->second, number) && std::isfinite(number);
   });
   if (!whole) {
     why = "a line is missing or is not what it should be";

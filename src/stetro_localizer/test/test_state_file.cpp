@@ -141,6 +141,28 @@ TEST(StateFile, KnowsEveryCutAndEveryFlippedByte)
   EXPECT_EQ(file.read().kind, StateReading::Kind::kFound);
 }
 
+// As it stood on robots before the file became a KeptFile.
+TEST(StateFile, ReadsWhatEarlierReleasesWrote)
+{
+  const Folder folder;
+  const StateFile file(folder.file("state"));
+  const std::string text =
+    "stetro_localizer_state 1\nflight_id east\nreset_counter 4\nstep.index 7\nstep.bearing 101\n"
+    "side_left.value 0.0123456789012345\nside_left.variance 0.3333333333333333\n"
+    "side_left.calibrated_at_m 0.065\nside_right.value -0.02\nside_right.variance 2e-06\n"
+    "side_right.calibrated_at_m 0\nfront_difference.value 1e-300\n"
+    "front_difference.variance 0.1\nfront_difference.calibrated_at_m 0.2\n"
+    "gyro_bias.value 0.005\ngyro_bias.variance 1e-09\nstep.lift_off_offset_m 0.001\n"
+    "step.lift_off_reference_m 0.1400000001\nstep.height_m.1 0.14\nstep.height_m.2 0.18\n"
+    "step.height_m.3 0\nchecksum 9298427001710443462\n";
+  write(file.path(), text);
+  const StateReading reading = file.read();
+  ASSERT_EQ(reading.kind, StateReading::Kind::kFound) << reading.why;
+  EXPECT_EQ(to_text(reading.state), to_text(mid_climb()));
+  ASSERT_FALSE(file.write(mid_climb()));
+  EXPECT_EQ(read(file.path()), text) << "and they can read what we write";
+}
+
 TEST(StateFile, NamesTheDamage)
 {
   const Folder folder;

@@ -17,8 +17,8 @@
 
 #include <optional>
 #include <string>
-#include <utility>
 
+#include "stetro_config/kept_file.hpp"
 #include "stetro_localizer/stored_state.hpp"
 
 namespace stetro_localizer
@@ -35,27 +35,22 @@ struct StateReading
 };
 
 /// The file in which the localizer keeps its step and its calibration.
-/**
- * It is replaced, never edited: written beside itself, synced to the disk and renamed over the old
- * one, so that a cut of power leaves either the old file or the new one. A file that is cut off,
- * edited, of another format or not readable is damaged: it is reported and not used, and it stays
- * where it is until the next write.
- */
+/** Replaced whole, as a KeptFile is; a damaged one is reported and not used. */
 class StateFile
 {
 public:
   /// \param path empty keeps nothing: reads as missing, writes go nowhere
-  explicit StateFile(std::string path) : path_(std::move(path)) {}
+  explicit StateFile(std::string path);
 
   [[nodiscard]] StateReading read() const;
 
   /// \return nothing if it is safely on the disk, otherwise what went wrong
   [[nodiscard]] std::optional<std::string> write(const StoredState & state) const;
 
-  [[nodiscard]] const std::string & path() const { return path_; }
+  [[nodiscard]] const std::string & path() const { return file_.path(); }
 
 private:
-  std::string path_;
+  stetro_config::KeptFile file_;
 };
 
 }  // namespace stetro_localizer

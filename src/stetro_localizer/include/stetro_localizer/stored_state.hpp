@@ -44,10 +44,10 @@ struct StoredState
   std::uint32_t reset_counter = 0;  ///< jumps of the estimate so far
 };
 
-/// The state as text, one `key value` a line, with format and checksum; exact for every double.
+/// The state as text, one `key value` a line; exact for every double.
 [[nodiscard]] std::string to_text(const StoredState & state);
 
-/// The inverse. Nothing, and `why` says it, if the text is not whole, not ours or not finite.
+/// The inverse. Nothing, and `why` says it, if a line is missing, not ours or not finite.
 [[nodiscard]] std::optional<StoredState> parse_stored_state(
   const std::string & text, std::string & why);
 

@@ -59,13 +59,13 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-/// The record as text with its CRC-32 in the last line.
+/// The record as lines of text; exact for every double.
 std::string encode(const MissionRecord & record);
 
-/// \throws MissionFileError saying what is wrong: the checksum, or the first line not understood
+/// \throws MissionFileError naming the first line not understood
 MissionRecord decode(const std::string & text);
 
-/// Replaces the file atomically: written beside it, flushed to the disk, renamed, folder flushed.
+/// Replaces the file whole, as stetro_config::KeptFile does.
 /// \throws MissionFileError with the path and the system's reason
 void save(const MissionRecord & record, const std::string & path);
 
