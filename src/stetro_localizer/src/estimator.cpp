@@ -14,12 +14,36 @@
 
 #include "stetro_localizer/estimator.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
+#include "stetro_localizer/fused_estimator.hpp"
 #include "stetro_localizer/paper_estimator.hpp"
 
 namespace stetro_localizer
 {
+
+std::optional<std::string> implausible(
+  const stetro_site::Pose & pose, const stetro_site::Flight & flight, double most_yaw_rad)
+{
+  if (!std::isfinite(pose.x_m + pose.y_m + pose.z_m + pose.yaw_rad)) {
+    return "a number of the pose is not finite";
+  }
+  const int step = flight.step_at(pose.x_m);
+  const double half_riser_m = flight.riser_m(std::max(step, 1)) / 2.0;
+  if (std::abs(pose.z_m - flight.tread_z_m(step)) > half_riser_m) {
+    return "its height is not that of step " + std::to_string(step) + ", which is under its x";
+  }
+  const double width_m = flight.width_m(std::clamp(pose.x_m, 0.0, flight.total_run_m()));
+  if (pose.y_m < 0.0 || pose.y_m > width_m) {
+    return "its y is not between the walls";
+  }
+  if (std::abs(pose.yaw_rad) > most_yaw_rad) {
+    return "its heading does not face the stairs";
+  }
+  return std::nullopt;
+}
 
 std::unique_ptr<Estimator> make_estimator(
   const LocalizerParams & params, const stetro_site::RobotGeometry & robot,
@@ -28,7 +52,11 @@ std::unique_ptr<Estimator> make_estimator(
   if (params.estimator == "paper") {
     return std::make_unique<PaperEstimator>(params, robot, flight);
   }
-  throw std::invalid_argument("estimator: '" + params.estimator + "' refused, accepted: paper");
+  if (params.estimator == "fused") {
+    return std::make_unique<FusedEstimator>(params, robot, flight);
+  }
+  throw std::invalid_argument(
+    "estimator: '" + params.estimator + "' refused, accepted: fused, paper");
 }
 
 }  // namespace stetro_localizer

@@ -78,6 +78,10 @@ const char * to_string(Source source)
       return "side_right";
     case Source::kFrontPair:
       return "front_pair";
+    case Source::kFrontLeft:
+      return "front_left";
+    case Source::kFrontRight:
+      return "front_right";
     case Source::kBumperLeft:
       return "bumper_left";
     case Source::kBumperRight:

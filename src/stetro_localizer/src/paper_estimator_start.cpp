@@ -60,21 +60,10 @@ void PaperEstimator::begin(const StateReading & stored)
 std::optional<std::string> PaperEstimator::tell_pose(
   const stetro_site::Pose & pose, const stetro_site::Covariance & covariance)
 {
-  if (!std::isfinite(pose.x_m + pose.y_m + pose.z_m + pose.yaw_rad)) {
-    return "a number of the pose is not finite";
+  if (const auto why = implausible(pose, flight_, params_.heading.max_incidence_rad)) {
+    return why;
   }
   const int step = flight_.step_at(pose.x_m);
-  const double half_riser_m = flight_.riser_m(std::max(step, 1)) / 2.0;
-  if (std::abs(pose.z_m - flight_.tread_z_m(step)) > half_riser_m) {
-    return "its height is not that of step " + std::to_string(step) + ", which is under its x";
-  }
-  const double width_m = flight_.width_m(std::clamp(pose.x_m, 0.0, flight_.total_run_m()));
-  if (pose.y_m < 0.0 || pose.y_m > width_m) {
-    return "its y is not between the walls";
-  }
-  if (std::abs(pose.yaw_rad) > params_.heading.max_incidence_rad) {
-    return "its heading does not face the stairs";
-  }
   const auto variance = [&covariance](int i, double least_sigma) {
     const double given = covariance(i, i);
     return std::isfinite(given) ? std::max(given, squared(least_sigma)) : squared(0.1);

@@ -44,8 +44,9 @@ struct StairEstimate
   std::optional<int> step;  ///< tread block 2 stands on, 0 the floor below
   stetro_site::Pose pose{kUnknown, kUnknown, kUnknown, kUnknown};        ///< in the flight frame
   stetro_site::Covariance covariance = stetro_site::Covariance::Zero();  ///< of the pose
-  double tread_x_m = kUnknown;  ///< from the tread's own riser [m]
-  double tread_y_m = kUnknown;  ///< from the right wall [m]
+  double tread_x_m = kUnknown;      ///< from the tread's own riser [m]
+  double riser_ahead_m = kUnknown;  ///< from base_link along x to the next riser's face [m]
+  double tread_y_m = kUnknown;      ///< from the right wall [m]
   std::array<double, 3> block_heights_m{kUnknown, kUnknown, kUnknown};  ///< in the flight frame
   Integrity integrity = Integrity::kLost;
   std::uint32_t reasons = kNotInitialised;  ///< bits of `Reason`
@@ -99,6 +100,11 @@ public:
   [[nodiscard]] virtual StoredState state_to_store() const = 0;
   [[nodiscard]] virtual std::uint64_t state_version() const = 0;
 };
+
+/// Why a pose in the flight frame cannot be told to an estimator; nothing if it can.
+/** It must be a number, stand on the step under it, lie between the walls and face the stairs. */
+[[nodiscard]] std::optional<std::string> implausible(
+  const stetro_site::Pose & pose, const stetro_site::Flight & flight, double most_yaw_rad);
 
 /// The estimator that the parameters name.
 [[nodiscard]] std::unique_ptr<Estimator> make_estimator(

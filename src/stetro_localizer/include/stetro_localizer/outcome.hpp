@@ -68,11 +68,13 @@ enum class Source {
   kSideLeft,
   kSideRight,
   kFrontPair,
+  kFrontLeft,
+  kFrontRight,
   kBumperLeft,
   kBumperRight,
   kRiserSwitches
 };
-constexpr std::size_t kSourceCount = 11;
+constexpr std::size_t kSourceCount = 13;
 
 /// The source's name on the wire and in reports.
 [[nodiscard]] const char * to_string(Source source);

@@ -22,6 +22,7 @@
 #include "stetro_config/field.hpp"
 #include "stetro_config/rule.hpp"
 #include "stetro_localizer/carried_average.hpp"
+#include "stetro_localizer/fused/fused_params.hpp"
 #include "stetro_localizer/gyro_heading.hpp"
 #include "stetro_localizer/measurement/tof_noise.hpp"
 #include "stetro_localizer/standstill.hpp"
@@ -90,6 +91,7 @@ struct LocalizerParams
   GyroParams gyro;
   StandstillParams standstill;
   StepCounterParams steps;
+  FusedParams fused;
 };
 
 template <class Visitor>
@@ -188,7 +190,7 @@ void visit(LocalizerParams & p, Visitor && each)
   using stetro_config::Within;
   each("site_file", p.site_file, NonEmpty{}, "flights and floors of the building");
   each("robot_file", p.robot_file, NonEmpty{}, "body and sensors");
-  each("estimator", p.estimator, OneOf{"paper"}, "method that estimates the pose");
+  each("estimator", p.estimator, OneOf{"fused", "paper"}, "method that estimates the pose");
   each("flight", p.flight, Any{}, "id of the flight; empty: the only one of the site");
   each("state_file", p.state_file, Any{}, "keeps step and calibration; empty: nothing is kept");
   each(
@@ -217,6 +219,7 @@ void visit(LocalizerParams & p, Visitor && each)
     "standstill.rate_radps", p.standstill.rate_radps, Within{0.0, 0.5}, "slower may stand [rad/s]");
   each("standstill.settle_s", p.standstill.settle_s, Within{0.0, 10.0}, "both must last [s]");
   visit_steps(p.steps, Group("steps", each));
+  visit(p.fused, Group("fused", each));
 }
 
 /// An empty window of that kind.

@@ -1,0 +1,78 @@
+// Copyright 2026 The sTetro Authors
+//
+// Licensed under the Apache License, Version 2.0 (the "License");
+// you may not use this file except in compliance with the License.
+// You may obtain a copy of the License at
+//
+//     http://www.apache.org/licenses/LICENSE-2.0
+//
+// Unless required by applicable law or agreed to in writing, software
+// distributed under the License is distributed on an "AS IS" BASIS,
+// WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+// See the License for the specific language governing permissions and
+// limitations under the License.
+
+#ifndef STETRO_LOCALIZER__FUSED__FUSED_CORE_HPP_
+#define STETRO_LOCALIZER__FUSED__FUSED_CORE_HPP_
+
+#include <array>
+#include <optional>
+#include <utility>
+#include <variant>
+
+#include "stetro_localizer/contact_closure.hpp"
+#include "stetro_localizer/fused/error_state_filter.hpp"
+#include "stetro_localizer/fused/slip_watch.hpp"
+#include "stetro_localizer/outcome.hpp"
+#include "stetro_localizer/samples.hpp"
+#include "stetro_localizer/standstill.hpp"
+#include "stetro_localizer/step_counter.hpp"
+
+namespace stetro_localizer
+{
+
+/// One sample of any kind. Those of one time are taken in the order of the kinds here.
+using Sample = std::variant<OdometrySample, GyroSample, ContactSample, BlockSample, RangeSample>;
+
+[[nodiscard]] inline Nanoseconds stamp_of(const Sample & sample)
+{
+  return std::visit([](const auto & s) { return s.stamp; }, sample);
+}
+
+/// Everything of the fused estimator that a sample changes.
+/** Copying it keeps the past: a late sample is taken by going back to the copy before its time. */
+struct FusedCore
+{
+  FusedCore(StepCounter step_counter, const StandstillParams & standing)
+  : steps(std::move(step_counter)), standstill(standing)
+  {
+  }
+
+  ErrorStateFilter filter;
+  StepCounter steps;
+  Nanoseconds time{0};       ///< the filter's state is for this; zero before the first sample
+  Nanoseconds gyro_time{0};  ///< of the last gyroscope sample
+  double rate_radps = 0.0;   ///< it
+  bool rolling = false;      ///< the wheels turn
+  Standstill standstill;
+  bool blocks_moving = false;
+  ContactSample contacts;                                 ///< the last one
+  std::array<std::array<Nanoseconds, 4>, 2> closed_at{};  ///< bumpers and switch, left and right
+  RangeReading block2_down;  ///< the last one; it counts while it is young
+  ContactClosure closure{0.0, 0.0};
+  SourceReports reports;
+  std::array<Nanoseconds, kRangerCount> used_at{};  ///< when each ranger last corrected
+  std::array<SlipWatch, 2> slips{};                 ///< along x, along y
+  Nanoseconds slipping_until{0};                    ///< a slip that was noticed may go on
+  std::optional<int> located_on;  ///< step that x and the treads of the state belong to
+  double edge_x_m = 0.0;          ///< X of the riser ahead in the flight frame, as built so far [m]
+  double edge_variance_m2 = 0.0;  ///< of it
+  double rise_m = 0.0;            ///< height of the tread of block 2, as built so far [m]
+  double rise_variance_m2 = 0.0;
+  std::uint32_t slips_noticed = 0;
+  std::uint32_t jumps = 0;  ///< of the state, other than by measurements
+};
+
+}  // namespace stetro_localizer
+
+#endif  // STETRO_LOCALIZER__FUSED__FUSED_CORE_HPP_

@@ -1,0 +1,93 @@
+// Copyright 2026 The sTetro Authors
+//
+// Licensed under the Apache License, Version 2.0 (the "License");
+// you may not use this file except in compliance with the License.
+// You may obtain a copy of the License at
+//
+//     http://www.apache.org/licenses/LICENSE-2.0
+//
+// Unless required by applicable law or agreed to in writing, software
+// distributed under the License is distributed on an "AS IS" BASIS,
+// WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+// See the License for the specific language governing permissions and
+// limitations under the License.
+
+#ifndef STETRO_LOCALIZER__FUSED__FUSED_MODEL_HPP_
+#define STETRO_LOCALIZER__FUSED__FUSED_MODEL_HPP_
+
+#include <array>
+
+#include "stetro_localizer/fused/front_range_aiding.hpp"
+#include "stetro_localizer/fused/fused_core.hpp"
+#include "stetro_localizer/fused/side_range_aiding.hpp"
+#include "stetro_localizer/params.hpp"
+#include "stetro_site/flight.hpp"
+#include "stetro_site/robot_geometry.hpp"
+
+namespace stetro_localizer
+{
+
+/// What a sample means: takes a `FusedCore` from before it to after it.
+/**
+ * Holds the robot, the flight and the parameters, and no state: the same core and the same sample
+ * give the same core again. Wheels and gyroscope tell of the interval that ends at their stamp;
+ * everything else is measured at its stamp. Immutable after construction.
+ */
+class FusedModel
+{
+public:
+  FusedModel(
+    const LocalizerParams & params, const stetro_site::RobotGeometry & robot,
+    const stetro_site::Flight & flight);
+
+  /// A core that knows what the files say and has seen nothing.
+  [[nodiscard]] FusedCore begin() const;
+
+  /// Takes one sample, which must not be older than the core.
+  void take(FusedCore & core, const Sample & sample) const;
+
+  /// Lets the motion go on as it was until `time`; earlier times change nothing.
+  void advance(FusedCore & core, Nanoseconds time) const;
+
+  /// Makes the core believe that it stands on `step`; x becomes unknown within the tread.
+  void locate(FusedCore & core, int step) const;
+
+private:
+  void take_one(FusedCore & core, const OdometrySample & sample) const;
+  void take_one(FusedCore & core, const GyroSample & sample) const;
+  void take_one(FusedCore & core, const ContactSample & sample) const;
+  void take_one(FusedCore & core, const BlockSample & sample) const;
+  void take_one(FusedCore & core, const RangeSample & sample) const;
+
+  void take_speed(FusedCore & core, int index, double counted_mps, bool blocked) const;
+  void take_bumpers(FusedCore & core, Side side, const ContactSample & sample) const;
+  void take_riser_switch(FusedCore & core, Side side, const ContactSample & sample) const;
+  void take_side(FusedCore & core, Side side, const RangeReading & reading) const;
+  void take_front(FusedCore & core, const FrontRangeAiding & aiding, const RangeReading &) const;
+  void note_closure(FusedCore & core, bool left, double gap_m) const;
+  void use_contact(
+    FusedCore & core, Source source, const Expectation & gap, int axis, double variance) const;
+  void take_step_event(FusedCore & core, StepEvent event) const;
+  void note_slip(FusedCore & core, int axis, double normalised) const;
+  Outcome use(
+    FusedCore & core, Source source, const Expectation & expectation, double measured,
+    double variance, Corrects corrects = Corrects::kAll) const;
+
+  [[nodiscard]] double tread_m(int step) const;
+  [[nodiscard]] double edge_ahead_m(int step) const;
+  [[nodiscard]] double range_variance_m2(double range_m) const;
+  [[nodiscard]] bool sees_side_wall(
+    const FusedCore & core, stetro_site::Place place, double range_m) const;
+
+  LocalizerParams params_;
+  stetro_site::RobotGeometry robot_;
+  stetro_site::Flight flight_;
+  double gate_;  // nis that a sound measurement exceeds as rarely as the parameter says
+  double cone_excess_;
+  std::array<SideRangeAiding, 2> sides_;
+  std::array<FrontRangeAiding, 2> fronts_;
+};
+
+}  // namespace stetro_localizer
+
+#endif  // STETRO_LOCALIZER__FUSED__FUSED_MODEL_HPP_

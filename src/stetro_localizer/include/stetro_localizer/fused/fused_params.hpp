@@ -1,0 +1,114 @@
+// Copyright 2026 The sTetro Authors
+//
+// Licensed under the Apache License, Version 2.0 (the "License");
+// you may not use this file except in compliance with the License.
+// You may obtain a copy of the License at
+//
+//     http://www.apache.org/licenses/LICENSE-2.0
+//
+// Unless required by applicable law or agreed to in writing, software
+// distributed under the License is distributed on an "AS IS" BASIS,
+// WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+// See the License for the specific language governing permissions and
+// limitations under the License.
+
+#ifndef STETRO_LOCALIZER__FUSED__FUSED_PARAMS_HPP_
+#define STETRO_LOCALIZER__FUSED__FUSED_PARAMS_HPP_
+
+#include "stetro_config/field.hpp"
+#include "stetro_config/rule.hpp"
+#include "stetro_localizer/fused/error_state_filter.hpp"
+
+namespace stetro_localizer
+{
+
+/// What is known before anything is measured: standard deviations about the files' values.
+struct FusedPriors
+{
+  double range_offset_m = 0.010;         ///< of each range sensor, uncalibrated [m]
+  double range_gain = 0.03;              ///< [-]
+  double odom_scale = 0.02;              ///< [-]
+  double tread_m = 0.0025;               ///< of each tread against the site file [m]
+  double riser_m = 0.0015;               ///< of each riser against the site file [m]
+  double riser_direction_rad = 0.00175;  ///< 0.1 deg
+  double width_m = 0.0025;               ///< between the walls, against the site file [m]
+  double width_change_m = 0.0007;        ///< of the width from tread to tread [m]
+  double yaw_rad = 0.175;                ///< of a robot that has just been set down [rad]
+};
+
+/// How exactly each source measures: standard deviations.
+struct FusedNoise
+{
+  double wheels_mps = 0.001;       ///< of a wheel speed [m/s]
+  double blocked_mps = 0.02;       ///< of a robot that pushes against a wall [m/s]
+  double gyro_radps = 0.00175;     ///< of one gyroscope sample [rad/s]
+  double bumper_m = 0.001;         ///< where a bumper closes [m]
+  double riser_switch_m = 0.0005;  ///< where a riser switch closes [m]
+  double clipped_share = 0.03;     ///< of the range, when the cone takes in more than the riser [-]
+};
+
+/// The fused estimator's own parameters.
+struct FusedParams
+{
+  ProcessNoise process;
+  FusedPriors priors;
+  FusedNoise noise;
+  double gate_false_alarm = 1e-4;  ///< share of sound measurements that a gate refuses [-]
+  double window_s = 0.4;           ///< late samples are applied at their time within this [s]
+  double contact_gate_m = 0.05;    ///< a contact that surprises by more is not believed [m]
+  double slip_jump_m = 0.012;      ///< doubt added along the motion when a slip is noticed [m]
+  double slipping = 0.03;          ///< process.slip while a slip goes on [m/sqrt(s)]
+  double integrity_risk = 1e-4;    ///< that an error exceeds its protection level, each step [-]
+};
+
+template <class Visitor>
+void visit(FusedParams & p, Visitor && each)
+{
+  using stetro_config::Within;
+  ProcessNoise & q = p.process;
+  each("process.acceleration", q.acceleration, Within{0.0, 10.0}, "unmodelled motion [m/s/tick]");
+  each("process.turn", q.turn, Within{0.0, 0.1}, "gyroscope's noise density [rad/s/sqrt(Hz)]");
+  each("process.gyro_bias", q.gyro_bias, Within{0.0, 0.01}, "bias walk [rad/s/sqrt(s)]");
+  each("process.odom_scale", q.odom_scale, Within{0.0, 0.01}, "scale walk [1/sqrt(s)]");
+  each("process.range_offset", q.range_offset, Within{0.0, 0.01}, "offset walk [m/sqrt(s)]");
+  each("process.range_gain", q.range_gain, Within{0.0, 0.01}, "gain walk [1/sqrt(s)]");
+  each("process.creep", q.creep, Within{0.0, 0.1}, "position, wheels standing [m/sqrt(s)]");
+  each("process.slip", q.slip, Within{0.0, 0.1}, "position along the motion [m/sqrt(s)]");
+  FusedPriors & prior = p.priors;
+  each("priors.range_offset_m", prior.range_offset_m, Within{1e-4, 0.1}, "uncalibrated [m]");
+  each("priors.range_gain", prior.range_gain, Within{0.0, 0.2}, "of a range sensor [-]");
+  each("priors.odom_scale", prior.odom_scale, Within{0.0, 0.2}, "of the wheels [-]");
+  each("priors.tread_m", prior.tread_m, Within{1e-5, 0.05}, "tread against the site file [m]");
+  each("priors.riser_m", prior.riser_m, Within{1e-5, 0.05}, "riser against the site file [m]");
+  each(
+    "priors.riser_direction_rad", prior.riser_direction_rad, Within{0.0, 0.1},
+    "direction of a riser [rad]");
+  each("priors.width_m", prior.width_m, Within{1e-5, 0.1}, "width against the site file [m]");
+  each(
+    "priors.width_change_m", prior.width_change_m, Within{0.0, 0.05},
+    "width from tread to tread [m]");
+  each("priors.yaw_rad", prior.yaw_rad, Within{0.01, 3.0}, "heading before a reference [rad]");
+  FusedNoise & noise = p.noise;
+  each("noise.wheels_mps", noise.wheels_mps, Within{1e-5, 1.0}, "of a wheel speed [m/s]");
+  each("noise.blocked_mps", noise.blocked_mps, Within{1e-4, 1.0}, "against a wall [m/s]");
+  each("noise.gyro_radps", noise.gyro_radps, Within{1e-6, 1.0}, "of a gyroscope sample [rad/s]");
+  each("noise.bumper_m", noise.bumper_m, Within{1e-4, 0.05}, "where a bumper closes [m]");
+  each("noise.riser_switch_m", noise.riser_switch_m, Within{1e-5, 0.05}, "where one closes [m]");
+  each("noise.clipped_share", noise.clipped_share, Within{0.0, 1.0}, "cone beyond the riser [-]");
+  each(
+    "gate_false_alarm", p.gate_false_alarm, Within{1e-9, 0.1},
+    "share of sound measurements that a gate refuses");
+  each("window_s", p.window_s, Within{0.0, 0.5}, "late samples are used within this [s]");
+  each(
+    "contact_gate_m", p.contact_gate_m, Within{0.001, 0.5},
+    "a contact that surprises by more is not believed [m]");
+  each("slip_jump_m", p.slip_jump_m, Within{0.0, 0.2}, "doubt when a slip is noticed [m]");
+  each("slipping", p.slipping, Within{0.0, 1.0}, "process.slip while one goes on [m/sqrt(s)]");
+  each(
+    "integrity_risk", p.integrity_risk, Within{1e-9, 0.1},
+    "that an error exceeds its protection level, each step");
+}
+
+}  // namespace stetro_localizer
+
+#endif  // STETRO_LOCALIZER__FUSED__FUSED_PARAMS_HPP_

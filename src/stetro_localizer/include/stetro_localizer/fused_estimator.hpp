@@ -1,0 +1,87 @@
+// Copyright 2026 The sTetro Authors
+//
+// Licensed under the Apache License, Version 2.0 (the "License");
+// you may not use this file except in compliance with the License.
+// You may obtain a copy of the License at
+//
+//     http://www.apache.org/licenses/LICENSE-2.0
+//
+// Unless required by applicable law or agreed to in writing, software
+// distributed under the License is distributed on an "AS IS" BASIS,
+// WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+// See the License for the specific language governing permissions and
+// limitations under the License.
+
+#ifndef STETRO_LOCALIZER__FUSED_ESTIMATOR_HPP_
+#define STETRO_LOCALIZER__FUSED_ESTIMATOR_HPP_
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "stetro_localizer/estimator.hpp"
+#include "stetro_localizer/fused/fused_model.hpp"
+#include "stetro_localizer/fused/history.hpp"
+#include "stetro_localizer/input_watch.hpp"
+
+namespace stetro_localizer
+{
+
+/// The default: every sensor in one error-state Kalman filter that calibrates itself.
+/**
+ * Each sample counts at its own time, late ones too, and corrects with the covariance of all that
+ * is unknown: pose, speed, the errors of gyroscope, wheels and range sensors, and the staircase as
+ * built. At each wall contact the distance to that wall is known, which calibrates the sensor that
+ * sees it; the opposite one and the wheels follow through the filter.
+ *
+ * Derivation: docs/derivations/fused_estimator.md.
+ */
+class FusedEstimator : public Estimator
+{
+public:
+  /// \throws std::invalid_argument naming the parameter, its value and what is accepted
+  FusedEstimator(
+    const LocalizerParams & params, const stetro_site::RobotGeometry & robot,
+    const stetro_site::Flight & flight);
+
+  void begin(const StateReading & stored) override;
+  Verdict add_ranges(const RangeSample & sample, Nanoseconds now) override;
+  Verdict add_contacts(const ContactSample & sample, Nanoseconds now) override;
+  Verdict add_blocks(const BlockSample & sample, Nanoseconds now) override;
+  Verdict add_gyro(const GyroSample & sample, Nanoseconds now) override;
+  Verdict add_odometry(const OdometrySample & sample, Nanoseconds now) override;
+  void tick(Nanoseconds now) override;
+  std::optional<std::string> tell_pose(
+    const stetro_site::Pose & pose, const stetro_site::Covariance & covariance) override;
+
+  [[nodiscard]] const StairEstimate & estimate() const override { return estimate_; }
+  [[nodiscard]] const SourceReports & reports() const override { return reports_; }
+  [[nodiscard]] std::array<Bias, 4> biases() const override;
+  [[nodiscard]] StoredState state_to_store() const override;
+  [[nodiscard]] std::uint64_t state_version() const override;
+
+private:
+  [[nodiscard]] Verdict take(Source input, const Sample & sample, Nanoseconds now, Refusal fault);
+  void refresh();
+  void refresh_position();
+  void refresh_covariance();
+  void refresh_integrity();
+
+  LocalizerParams params_;
+  stetro_site::RobotGeometry robot_;
+  stetro_site::Flight flight_;
+  FusedModel model_;
+  History history_;
+  InputWatch watch_;
+  SourceReports reports_;
+  StairEstimate estimate_;
+  std::array<Nanoseconds, stetro_site::kPlaces.size()> last_reading_{};
+  bool silent_ = false;
+  std::uint32_t step_reasons_ = kNotInitialised;
+  std::uint32_t resets_at_start_ = 0;
+  std::uint64_t version_ = 0;
+};
+
+}  // namespace stetro_localizer
+
+#endif  // STETRO_LOCALIZER__FUSED_ESTIMATOR_HPP_

@@ -1,0 +1,158 @@
+// Copyright 2026 The sTetro Authors
+//
+// Licensed under the Apache License, Version 2.0 (the "License");
+// you may not use this file except in compliance with the License.
+// You may obtain a copy of the License at
+//
+//     http://www.apache.org/licenses/LICENSE-2.0
+//
+// Unless required by applicable law or agreed to in writing, software
+// distributed under the License is distributed on an "AS IS" BASIS,
+// WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+// See the License for the specific language governing permissions and
+// limitations under the License.
+
+#include "stetro_localizer/fused/error_state_filter.hpp"
+
+#include <cmath>
+
+namespace stetro_localizer
+{
+namespace
+{
+
+double squared(double value) { return value * value; }
+
+// Indices below are motion; from here on it is what the motion is measured against.
+constexpr int kFirstConsidered = kStateGyroBias;
+
+}  // namespace
+
+void ErrorStateFilter::set(int index, double value, double variance)
+{
+  x_[index] = value;
+  P_.row(index).setZero();
+  P_.col(index).setZero();
+  P_(index, index) = variance;
+}
+
+void ErrorStateFilter::predict(
+  double dt_s, double rate_radps, const ProcessNoise & noise, bool slipping)
+{
+  const double c = std::cos(x_[kStateYaw]);
+  const double s = std::sin(x_[kStateYaw]);
+  const double forward_m = (x_[kStateVx] * c - x_[kStateVy] * s) * dt_s;
+  const double leftward_m = (x_[kStateVx] * s + x_[kStateVy] * c) * dt_s;
+  x_[kStateX] += forward_m;
+  x_[kStateY] += leftward_m;
+  x_[kStateYaw] += (rate_radps - x_[kStateGyroBias]) * dt_s;
+
+  // F is the identity but for three rows; F P F^T touches three columns, then three rows.
+  P_.col(kStateX) +=
+    -leftward_m * P_.col(kStateYaw) + dt_s * (c * P_.col(kStateVx) - s * P_.col(kStateVy));
+  P_.col(kStateY) +=
+    forward_m * P_.col(kStateYaw) + dt_s * (s * P_.col(kStateVx) + c * P_.col(kStateVy));
+  P_.col(kStateYaw) -= dt_s * P_.col(kStateGyroBias);
+  P_.row(kStateX) +=
+    -leftward_m * P_.row(kStateYaw) + dt_s * (c * P_.row(kStateVx) - s * P_.row(kStateVy));
+  P_.row(kStateY) +=
+    forward_m * P_.row(kStateYaw) + dt_s * (s * P_.row(kStateVx) + c * P_.row(kStateVy));
+  P_.row(kStateYaw) -= dt_s * P_.row(kStateGyroBias);
+  for (const int i : {kStateX, kStateY, kStateYaw}) {
+    P_.row(i) = P_.col(i).transpose();  // rounding differs by the order: symmetric by decree
+  }
+  add_noise(dt_s, noise, slipping);
+}
+
+void ErrorStateFilter::add_noise(double dt_s, const ProcessNoise & noise, bool slipping)
+{
+  const double c = std::cos(x_[kStateYaw]);
+  const double s = std::sin(x_[kStateYaw]);
+  P_(kStateYaw, kStateYaw) += squared(noise.turn) * dt_s;
+  P_(kStateGyroBias, kStateGyroBias) += squared(noise.gyro_bias) * dt_s;
+  P_(kStateX, kStateX) += squared(noise.creep) * dt_s;
+  P_(kStateY, kStateY) += squared(noise.creep) * dt_s;
+  if (slipping) {
+    const double speed = std::hypot(x_[kStateVx], x_[kStateVy]);
+    const double along_x = speed > 0.0 ? (x_[kStateVx] * c - x_[kStateVy] * s) / speed : 0.0;
+    const double along_y = speed > 0.0 ? (x_[kStateVx] * s + x_[kStateVy] * c) / speed : 0.0;
+    const double variance = squared(noise.slip) * dt_s;
+    P_(kStateX, kStateX) += variance * along_x * along_x;
+    P_(kStateY, kStateY) += variance * along_y * along_y;
+    P_(kStateX, kStateY) += variance * along_x * along_y;
+    P_(kStateY, kStateX) += variance * along_x * along_y;
+    P_(kStateOdomScale, kStateOdomScale) += squared(noise.odom_scale) * dt_s;
+  }
+  for (int i = kStateFirstCalibration; i < kStateCount; i += 2) {
+    P_(i, i) += squared(noise.range_offset) * dt_s;
+    P_(i + 1, i + 1) += squared(noise.range_gain) * dt_s;
+  }
+}
+
+Innovation ErrorStateFilter::innovation(
+  const Expectation & expectation, double measured, double variance) const
+{
+  double spread = 0.0;
+  for (const auto & a : expectation) {
+    for (const auto & b : expectation) {
+      spread += a.slope * b.slope * P_(a.index, b.index);
+    }
+  }
+  return {measured - expectation.value(), spread + variance};
+}
+
+// Joseph's form for one scalar and the optimal gain, written out: with h = P H^T it is
+// P - h h^T / S. Rows of considered states have gain zero, and then only the block between two of
+// them keeps its value. The product of a vector with itself is symmetric to the last bit.
+void ErrorStateFilter::correct(
+  const Expectation & expectation, const Innovation & innovation, Corrects corrects)
+{
+  StateVector h = StateVector::Zero();
+  for (const auto & entry : expectation) {
+    h += entry.slope * P_.col(entry.index);
+  }
+  h /= std::sqrt(innovation.variance);
+  const double normalised = innovation.value / std::sqrt(innovation.variance);
+  if (corrects == Corrects::kAll) {
+    x_ += h * normalised;
+    P_.noalias() -= h * h.transpose();
+    return;
+  }
+  constexpr int kKept = kStateCount - kFirstConsidered;
+  const Eigen::Matrix<double, kKept, kKept> kept = P_.bottomRightCorner<kKept, kKept>();
+  x_.head<kFirstConsidered>() += h.head<kFirstConsidered>() * normalised;
+  P_.noalias() -= h * h.transpose();
+  P_.bottomRightCorner<kKept, kKept>() = kept;
+}
+
+void ErrorStateFilter::copy_row(int to, int from)
+{
+  x_[to] = x_[from];
+  P_.col(to) = P_.col(from);
+  P_.row(to) = P_.row(from);
+  P_(to, to) = P_(from, from);
+}
+
+void ErrorStateFilter::climb(double tread_m, double tread_variance, double riser_variance)
+{
+  x_[kStateX] -= x_[kStateTreadAhead];
+  P_.col(kStateX) -= P_.col(kStateTreadAhead);
+  P_.row(kStateX) -= P_.row(kStateTreadAhead);
+  copy_row(kStateTreadHere, kStateTreadAhead);
+  copy_row(kStateRiserAhead, kStateRiserNext);
+  set(kStateTreadAhead, tread_m, tread_variance);
+  set(kStateRiserNext, 0.0, riser_variance);
+}
+
+void ErrorStateFilter::descend(double tread_m, double tread_variance, double riser_variance)
+{
+  x_[kStateX] += x_[kStateTreadHere];
+  P_.col(kStateX) += P_.col(kStateTreadHere);
+  P_.row(kStateX) += P_.row(kStateTreadHere);
+  copy_row(kStateTreadAhead, kStateTreadHere);
+  copy_row(kStateRiserNext, kStateRiserAhead);
+  set(kStateTreadHere, tread_m, tread_variance);
+  set(kStateRiserAhead, 0.0, riser_variance);
+}
+
+}  // namespace stetro_localizer

@@ -1,0 +1,252 @@
+// Copyright 2026 The sTetro Authors
+//
+// Licensed under the Apache License, Version 2.0 (the "License");
+// you may not use this file except in compliance with the License.
+// You may obtain a copy of the License at
+//
+//     http://www.apache.org/licenses/LICENSE-2.0
+//
+// Unless required by applicable law or agreed to in writing, software
+// distributed under the License is distributed on an "AS IS" BASIS,
+// WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+// See the License for the specific language governing permissions and
+// limitations under the License.
+
+#include "stetro_localizer/fused_estimator.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stetro_localizer
+{
+namespace
+{
+
+constexpr std::size_t kMostInWindow = 256;  // samples: a quarter second of every source, twice
+
+Nanoseconds nanoseconds(double duration_s)
+{
+  return std::chrono::duration_cast<Nanoseconds>(std::chrono::duration<double>(duration_s));
+}
+
+Refusal fault_of(std::initializer_list<double> numbers)
+{
+  const bool finite =
+    std::all_of(numbers.begin(), numbers.end(), [](double n) { return std::isfinite(n); });
+  return finite ? Refusal::kNone : Refusal::kNotFinite;
+}
+
+Refusal fault_of(const BlockSample & sample)
+{
+  for (const BlockReading & block : sample.blocks) {
+    if (!block.fault && !std::isfinite(block.height_m)) {
+      return Refusal::kNotFinite;
+    }
+    if (!block.fault && block.height_m < 0.0) {
+      return Refusal::kNegative;
+    }
+  }
+  return Refusal::kNone;
+}
+
+}  // namespace
+
+FusedEstimator::FusedEstimator(
+  const LocalizerParams & params, const stetro_site::RobotGeometry & robot,
+  const stetro_site::Flight & flight)
+: params_(params),
+  robot_(robot),
+  flight_(flight),
+  model_(params, robot, flight),
+  history_(model_, model_.begin(), nanoseconds(params.fused.window_s), kMostInWindow),
+  watch_(params.silence_s)
+{
+}
+
+Verdict FusedEstimator::take(Source input, const Sample & sample, Nanoseconds now, Refusal fault)
+{
+  const Nanoseconds stamp = stamp_of(sample);
+  if (fault == Refusal::kNone && stamp <= Nanoseconds{0}) {
+    fault = Refusal::kZeroStamp;
+  }
+  if (fault == Refusal::kNone && stamp - now > nanoseconds(params_.future_tolerance_s)) {
+    fault = Refusal::kFuture;
+  }
+  if (fault == Refusal::kNone && now - stamp > nanoseconds(params_.max_sample_age_s)) {
+    fault = Refusal::kTooOld;
+  }
+  Verdict verdict{Outcome::kFused, Refusal::kNone};
+  if (fault != Refusal::kNone) {
+    verdict = Verdict::refused(fault);
+  } else {
+    switch (history_.take(sample)) {
+      case History::Taken::kYes:
+        watch_.note(input, now);
+        break;
+      case History::Taken::kStale:
+        verdict = {Outcome::kStale, Refusal::kNone};
+        break;
+      case History::Taken::kTwice:
+        verdict = Verdict::refused(Refusal::kOutOfOrder);
+        break;
+    }
+  }
+  reports_[input].note(verdict);
+  return verdict;
+}
+
+Verdict FusedEstimator::add_gyro(const GyroSample & sample, Nanoseconds now)
+{
+  return take(Source::kGyro, sample, now, fault_of({sample.rate_radps}));
+}
+
+Verdict FusedEstimator::add_odometry(const OdometrySample & sample, Nanoseconds now)
+{
+  return take(
+    Source::kOdometry, sample, now, fault_of({sample.vx_mps, sample.vy_mps, sample.wz_radps}));
+}
+
+Verdict FusedEstimator::add_contacts(const ContactSample & sample, Nanoseconds now)
+{
+  return take(Source::kContacts, sample, now, Refusal::kNone);
+}
+
+Verdict FusedEstimator::add_blocks(const BlockSample & sample, Nanoseconds now)
+{
+  return take(Source::kBlocks, sample, now, fault_of(sample));
+}
+
+// Every reading counts at its own time: those of one time make one sample of the filter.
+Verdict FusedEstimator::add_ranges(const RangeSample & sample, Nanoseconds now)
+{
+  RangeSample rest = sample;
+  for (std::size_t i = 0; i < rest.readings.size(); ++i) {
+    RangeReading & reading = rest.readings[i];
+    const bool repeated = reading.stamp == last_reading_[i];
+    last_reading_[i] = reading.status == RangeStatus::kAbsent ? last_reading_[i] : reading.stamp;
+    reading.status = repeated ? RangeStatus::kAbsent : reading.status;
+  }
+  Verdict verdict{Outcome::kNotVisible, Refusal::kNone};
+  for (;;) {
+    RangeSample one;
+    for (const RangeReading & reading : rest.readings) {
+      const bool earlier = one.stamp == Nanoseconds{0} || reading.stamp < one.stamp;
+      one.stamp = reading.status != RangeStatus::kAbsent && earlier ? reading.stamp : one.stamp;
+    }
+    if (one.stamp == Nanoseconds{0}) {
+      break;
+    }
+    for (std::size_t i = 0; i < rest.readings.size(); ++i) {
+      if (rest.readings[i].stamp == one.stamp) {
+        std::swap(one.readings[i], rest.readings[i]);
+      }
+    }
+    verdict = take(Source::kRanges, one, now, Refusal::kNone);
+  }
+  refresh();
+  return verdict;
+}
+
+void FusedEstimator::tick(Nanoseconds now)
+{
+  silent_ = watch_.any_silent(now);
+  refresh();
+}
+
+void FusedEstimator::refresh()
+{
+  const FusedCore & core = history_.core();
+  for (std::size_t i = static_cast<std::size_t>(Source::kSideLeft); i < kSourceCount; ++i) {
+    reports_[static_cast<Source>(i)] = core.reports[static_cast<Source>(i)];
+  }
+  estimate_.stamp = std::max(estimate_.stamp, core.time);
+  refresh_position();
+  refresh_covariance();
+  refresh_integrity();
+  estimate_.contact_closure_m = core.closure.error_m();
+  estimate_.reset_counter = resets_at_start_ + core.jumps;
+}
+
+void FusedEstimator::refresh_position()
+{
+  const FusedCore & core = history_.core();
+  const ErrorStateFilter & filter = core.filter;
+  estimate_.step = core.located_on;
+  estimate_.pose = {kUnknown, filter[kStateY], kUnknown, filter[kStateYaw]};
+  estimate_.tread_y_m = filter[kStateY];
+  estimate_.tread_x_m = estimate_.riser_ahead_m = kUnknown;
+  estimate_.measured_x_m.reset();
+  estimate_.block_heights_m =
+    core.steps.heights_in_flight().value_or(std::array<double, 3>{kUnknown, kUnknown, kUnknown});
+  if (!core.located_on) {
+    return;
+  }
+  const int step = *core.located_on;
+  estimate_.pose.x_m = core.edge_x_m + filter[kStateX];
+  // base_link is on block 2's footprint: it rises with the block.
+  estimate_.pose.z_m = core.rise_m + estimate_.block_heights_m[1] - flight_.tread_z_m(step);
+  if (step > 0) {
+    estimate_.tread_x_m = filter[kStateX] + filter[kStateTreadHere];
+  }
+  if (step < flight_.steps()) {
+    const double off_middle_m = filter[kStateY] - filter[kStateWidth] / 2.0;
+    estimate_.riser_ahead_m = off_middle_m * std::tan(filter[kStateRiserAhead]) - filter[kStateX];
+  }
+}
+
+void FusedEstimator::refresh_covariance()
+{
+  const FusedCore & core = history_.core();
+  const StateMatrix & P = core.filter.covariance();
+  constexpr double kTilt = 0.0175;  // a block stands level within this [rad]
+  auto & covariance = estimate_.covariance;
+  covariance.setZero();
+  const std::array<std::pair<int, int>, 3> map{
+    {{0, kStateX}, {1, kStateY}, {5, kStateYaw}}};  // of the pose, of the state
+  for (const auto & [row, i] : map) {
+    for (const auto & [column, j] : map) {
+      covariance(row, column) = P(i, j);
+    }
+  }
+  covariance(2, 2) = core.rise_variance_m2 + 1e-6;
+  covariance(3, 3) = covariance(4, 4) = kTilt * kTilt;
+}
+
+void FusedEstimator::refresh_integrity()
+{
+  const FusedCore & core = history_.core();
+  const auto flag = [](bool raised, std::uint32_t reason) { return raised ? reason : 0u; };
+  const bool known = core.located_on.has_value();
+  std::uint32_t reasons = 0;
+  if (!known) {
+    reasons |= core.steps.awaiting_blocks() ? std::uint32_t{kNotInitialised} : step_reasons_;
+  }
+  const auto recent = [&core](Ranger ranger) {
+    return seconds(core.time - core.used_at[static_cast<std::size_t>(ranger)]) < 0.5;
+  };
+  reasons |= flag(!recent(Ranger::kSideLeft) && !recent(Ranger::kSideRight), kNoSideRange);
+  const double yaw_sigma = std::sqrt(core.filter.variance(kStateYaw));
+  const double x_sigma = std::sqrt(core.filter.variance(kStateX));
+  reasons |= flag(yaw_sigma > params_.heading.sigma_limit_rad || x_sigma > 0.15, kNoFrontReference);
+  reasons |= flag(silent_, kInputSilent);
+  const bool conflict = core.steps.evidence_conflicts() ||
+                        core.reports[Source::kBumperLeft].outcome == Outcome::kGated ||
+                        core.reports[Source::kBumperRight].outcome == Outcome::kGated;
+  reasons |= flag(conflict, kContactConflict);
+  estimate_.reasons = reasons;
+  estimate_.integrity = integrity_of(reasons, known);
+}
+
+std::array<Bias, 4> FusedEstimator::biases() const
+{
+  const ErrorStateFilter & filter = history_.core().filter;
+  const auto bias = [&filter](const char * name, int index) {
+    return Bias{name, {filter[index], filter.variance(index)}};
+  };
+  return {
+    bias("side_left", offset_index(Ranger::kSideLeft)),
+    bias("side_right", offset_index(Ranger::kSideRight)),
+    bias("front_left", offset_index(Ranger::kFrontLeft)), bias("gyro", kStateGyroBias)};
+}
+
+}  // namespace stetro_localizer

@@ -1,0 +1,96 @@
+// Copyright 2026 The sTetro Authors
+//
+// Licensed under the Apache License, Version 2.0 (the "License");
+// you may not use this file except in compliance with the License.
+// You may obtain a copy of the License at
+//
+//     http://www.apache.org/licenses/LICENSE-2.0
+//
+// Unless required by applicable law or agreed to in writing, software
+// distributed under the License is distributed on an "AS IS" BASIS,
+// WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+// See the License for the specific language governing permissions and
+// limitations under the License.
+
+// How the estimator begins, is told where it is, and what it leaves for the next time.
+
+#include <algorithm>
+#include <cmath>
+
+#include "stetro_localizer/fused_estimator.hpp"
+
+namespace stetro_localizer
+{
+namespace
+{
+
+double squared(double value) { return value * value; }
+
+}  // namespace
+
+void FusedEstimator::begin(const StateReading & stored)
+{
+  FusedCore core = model_.begin();
+  switch (stored.kind) {
+    case StateReading::Kind::kMissing:
+      if (params_.initial_step == 0) {
+        core.steps.assume_foot();
+      } else if (params_.initial_step > 0) {
+        core.steps.tell(static_cast<int>(params_.initial_step));
+      }
+      break;
+    case StateReading::Kind::kDamaged:
+      step_reasons_ = kNotInitialised | kCalibrationDamaged;
+      break;
+    case StateReading::Kind::kFound: {
+      const ScalarEstimate & bias = stored.state.calibration.gyro_bias;
+      core.filter.set(kStateGyroBias, bias.value, bias.variance);
+      resets_at_start_ = stored.state.reset_counter + 1;
+      const auto & step = stored.state.step;
+      if (step && stored.state.flight_id == flight_.id() && core.steps.has(step->step)) {
+        core.steps.restore(*step);
+        core.filter.set(kStateYaw, 0.0, squared(params_.heading.restart_sigma_rad));
+      }
+      break;
+    }
+  }
+  history_.restart(core);
+}
+
+std::optional<std::string> FusedEstimator::tell_pose(
+  const stetro_site::Pose & pose, const stetro_site::Covariance & covariance)
+{
+  if (const auto why = implausible(pose, flight_, params_.heading.max_incidence_rad)) {
+    return why;
+  }
+  const int step = flight_.step_at(pose.x_m);
+  const auto variance = [&covariance](int i, double least_sigma) {
+    const double given = covariance(i, i);
+    return std::isfinite(given) ? std::max(given, squared(least_sigma)) : squared(0.1);
+  };
+  FusedCore core = history_.core();
+  core.steps.tell(step);
+  model_.locate(core, step);
+  core.filter.set(kStateX, pose.x_m - core.edge_x_m, variance(0, 0.01));
+  core.filter.set(kStateY, pose.y_m, variance(1, 0.01));
+  core.filter.set(kStateYaw, pose.yaw_rad, variance(5, 0.01));
+  history_.restart(core);
+  ++version_;
+  refresh();
+  return std::nullopt;
+}
+
+StoredState FusedEstimator::state_to_store() const
+{
+  const FusedCore & core = history_.core();
+  StoredState state;
+  state.flight_id = flight_.id();
+  state.step = core.steps.state_to_store();
+  state.calibration.gyro_bias = {core.filter[kStateGyroBias], core.filter.variance(kStateGyroBias)};
+  state.reset_counter = estimate_.reset_counter;
+  return state;
+}
+
+std::uint64_t FusedEstimator::state_version() const { return version_; }
+
+}  // namespace stetro_localizer

@@ -1,0 +1,209 @@
+// Copyright 2026 The sTetro Authors
+//
+// Licensed under the Apache License, Version 2.0 (the "License");
+// you may not use this file except in compliance with the License.
+// You may obtain a copy of the License at
+//
+//     http://www.apache.org/licenses/LICENSE-2.0
+//
+// Unless required by applicable law or agreed to in writing, software
+// distributed under the License is distributed on an "AS IS" BASIS,
+// WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+// See the License for the specific language governing permissions and
+// limitations under the License.
+
+#include "stetro_localizer/fused/fused_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "stetro_localizer/fused/cone.hpp"
+#include "stetro_localizer/fused/motion_aiding.hpp"
+#include "stetro_localizer/fused/normal_quantile.hpp"
+
+namespace stetro_localizer
+{
+namespace
+{
+
+double squared(double value) { return value * value; }
+
+std::vector<double> risers_of(const stetro_site::Flight & flight)
+{
+  std::vector<double> risers_m;
+  for (int i = 1; i <= flight.steps(); ++i) {
+    risers_m.push_back(flight.riser_m(i));
+  }
+  return risers_m;
+}
+
+SideRangeAiding side_aiding(Side side, const stetro_site::RobotGeometry & robot)
+{
+  const auto & mount = robot.at(side == Side::kLeft ? Place::kSideLeft : Place::kSideRight);
+  return {side, {mount.x_m, mount.y_m}, cone_excess(robot.range_sensor.cone_rad)};
+}
+
+FrontRangeAiding front_aiding(Ranger ranger, const stetro_site::RobotGeometry & robot)
+{
+  const auto & mount =
+    robot.at(ranger == Ranger::kFrontLeft ? Place::kFrontLeft : Place::kFrontRight);
+  return {ranger, mount.x_m, mount.y_m, cone_excess(robot.range_sensor.cone_rad)};
+}
+
+}  // namespace
+
+FusedModel::FusedModel(
+  const LocalizerParams & params, const stetro_site::RobotGeometry & robot,
+  const stetro_site::Flight & flight)
+: params_(params),
+  robot_(robot),
+  flight_(flight),
+  gate_(squared(two_sided_quantile(params.fused.gate_false_alarm))),
+  cone_excess_(cone_excess(robot.range_sensor.cone_rad)),
+  sides_{side_aiding(Side::kLeft, robot), side_aiding(Side::kRight, robot)},
+  fronts_{front_aiding(Ranger::kFrontLeft, robot), front_aiding(Ranger::kFrontRight, robot)}
+{
+}
+
+FusedCore FusedModel::begin() const
+{
+  FusedCore core(
+    StepCounter(risers_of(flight_), robot_.contact_reading_m(Place::kBlock2Down), params_.steps),
+    params_.standstill);
+  const FusedPriors & prior = params_.fused.priors;
+  const double width_m = flight_.width_m(0.0);
+  core.filter.set(kStateY, width_m / 2.0, squared(width_m) / 12.0);
+  core.filter.set(kStateYaw, 0.0, squared(prior.yaw_rad));
+  core.filter.set(kStateGyroBias, 0.0, squared(params_.gyro.bias_sigma_radps));
+  core.filter.set(kStateOdomScale, 0.0, squared(prior.odom_scale));
+  core.filter.set(kStateWidth, width_m, squared(prior.width_m));
+  for (int i = kStateFirstCalibration; i < kStateCount; i += 2) {
+    core.filter.set(i, 0.0, squared(prior.range_offset_m));
+    core.filter.set(i + 1, 0.0, squared(prior.range_gain));
+  }
+  core.closure = ContactClosure(width_m, robot_.contact_width_m);
+  return core;
+}
+
+void FusedModel::take(FusedCore & core, const Sample & sample) const
+{
+  std::visit([&](const auto & one) { take_one(core, one); }, sample);
+}
+
+void FusedModel::advance(FusedCore & core, Nanoseconds time) const
+{
+  if (core.time == Nanoseconds{0}) {
+    core.time = time;
+  }
+  if (time <= core.time) {
+    return;
+  }
+  // A silent gyroscope: the heading may turn unseen.
+  ProcessNoise noise = params_.fused.process;
+  const bool seen = core.gyro_time != Nanoseconds{0} &&
+                    seconds(time - core.gyro_time) <= params_.gyro.longest_gap_s;
+  if (!seen) {
+    noise.turn = params_.gyro.gap_rate_radps;
+  }
+  if (time <= core.slipping_until) {
+    noise.slip = params_.fused.slipping;
+  }
+  const double rate_radps = seen ? core.rate_radps : core.filter[kStateGyroBias];
+  const double dt_s = std::min(seconds(time - core.time), params_.silence_s);
+  core.filter.predict(dt_s, rate_radps, noise, core.rolling);
+  core.time = time;
+}
+
+void FusedModel::take_one(FusedCore & core, const OdometrySample & sample) const
+{
+  core.standstill.note(sample);
+  core.rolling = std::hypot(sample.vx_mps, sample.vy_mps) > 0.0;
+  const auto any = [](const std::array<Switch, 3> & bumpers) {
+    return std::any_of(
+      bumpers.begin(), bumpers.end(), [](const Switch & one) { return one.is_closed(); });
+  };
+  const ContactSample & contacts = core.contacts;
+  const bool riser = contacts.riser_left.is_closed() || contacts.riser_right.is_closed();
+  const bool wall = sample.vy_mps > 0.0 ? any(contacts.left) : any(contacts.right);
+  take_speed(core, kStateVx, sample.vx_mps, sample.vx_mps > 0.0 && riser);
+  take_speed(core, kStateVy, sample.vy_mps, sample.vy_mps != 0.0 && wall);
+  core.reports[Source::kOdometry].outcome = Outcome::kFused;
+}
+
+// The speed is forgotten from sample to sample, for motors start and stop at once. Against a wall
+// the wheels spin and say nothing of the body.
+void FusedModel::take_speed(FusedCore & core, int index, double counted_mps, bool blocked) const
+{
+  const FusedNoise & noise = params_.fused.noise;
+  ErrorStateFilter & filter = core.filter;
+  filter.inflate(index, squared(params_.fused.process.acceleration));
+  const Expectation expected =
+    blocked ? expect_blocked(filter.state(), index) : expect_wheels(filter.state(), index);
+  const double variance = squared(blocked ? noise.blocked_mps : noise.wheels_mps);
+  filter.correct(expected, filter.innovation(expected, blocked ? 0.0 : counted_mps, variance));
+}
+
+void FusedModel::take_one(FusedCore & core, const GyroSample & sample) const
+{
+  core.rate_radps = sample.rate_radps;
+  core.gyro_time = sample.stamp;
+  advance(core, sample.stamp);
+  if (
+    core.standstill.standing() && !core.blocks_moving &&
+    std::abs(sample.rate_radps) < params_.gyro.still_limit_radps) {
+    use(
+      core, Source::kGyro, expect_standing_gyro(core.filter.state()), sample.rate_radps,
+      squared(params_.fused.noise.gyro_radps));
+  }
+}
+
+Outcome FusedModel::use(
+  FusedCore & core, Source source, const Expectation & expectation, double measured,
+  double variance, Corrects corrects) const
+{
+  const Innovation innovation = core.filter.innovation(expectation, measured, variance);
+  SourceReport & report = core.reports[source];
+  report.innovation = innovation.value;
+  report.innovation_variance = innovation.variance;
+  report.test_ratio = innovation.nis() / gate_;
+  const Outcome outcome = innovation.nis() <= gate_ ? Outcome::kFused : Outcome::kGated;
+  if (outcome == Outcome::kFused) {
+    core.filter.correct(expectation, innovation, corrects);
+  }
+  report.note({outcome, Refusal::kNone});
+  return outcome;
+}
+
+double FusedModel::tread_m(int step) const
+{
+  return flight_.tread_m(std::clamp(step, 1, flight_.steps()));
+}
+
+double FusedModel::edge_ahead_m(int step) const
+{
+  return step == 0 ? flight_.riser_x_m(1) : flight_.tread_end_m(step);
+}
+
+void FusedModel::locate(FusedCore & core, int step) const
+{
+  const FusedPriors & prior = params_.fused.priors;
+  ErrorStateFilter & filter = core.filter;
+  const double room_m = step == 0 ? 2.0 : tread_m(step);
+  filter.set(kStateX, step == 0 ? -0.6 : -room_m / 2.0, squared(room_m) / 12.0);
+  filter.set(kStateTreadHere, tread_m(step), squared(prior.tread_m));
+  filter.set(kStateTreadAhead, tread_m(step + 1), squared(prior.tread_m));
+  filter.set(kStateRiserAhead, 0.0, squared(prior.riser_direction_rad));
+  filter.set(kStateRiserNext, 0.0, squared(prior.riser_direction_rad));
+  const double width_m = flight_.width_m(step == 0 ? 0.0 : flight_.tread_centre_m(step));
+  filter.set(kStateWidth, width_m, squared(prior.width_m));
+  core.edge_x_m = edge_ahead_m(step);
+  core.edge_variance_m2 = squared(prior.tread_m) * step;
+  core.rise_m = flight_.tread_z_m(step);
+  core.rise_variance_m2 = squared(prior.riser_m) * step;
+  core.located_on = step;
+  core.closure = ContactClosure(width_m, robot_.contact_width_m);
+  ++core.jumps;
+}
+
+}  // namespace stetro_localizer

@@ -1,0 +1,170 @@
+// Copyright 2026 The sTetro Authors
+//
+// Licensed under the Apache License, Version 2.0 (the "License");
+// you may not use this file except in compliance with the License.
+// You may obtain a copy of the License at
+//
+//     http://www.apache.org/licenses/LICENSE-2.0
+//
+// Unless required by applicable law or agreed to in writing, software
+// distributed under the License is distributed on an "AS IS" BASIS,
+// WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+// See the License for the specific language governing permissions and
+// limitations under the License.
+
+// What switches and lifts mean: contact with walls and risers, and the step.
+
+#include <algorithm>
+#include <cmath>
+
+#include "stetro_localizer/fused/bumper_aiding.hpp"
+#include "stetro_localizer/fused/fused_model.hpp"
+#include "stetro_localizer/fused/riser_switch_aiding.hpp"
+
+namespace stetro_localizer
+{
+namespace
+{
+
+// A switch that chatters says the same thing again, with the same error.
+constexpr Nanoseconds kLeastBetween = std::chrono::seconds(1);
+constexpr std::size_t kRiserSwitch = 3;  // behind the three bumpers of its side
+
+double squared(double value) { return value * value; }
+
+bool just_closed(const Switch & before, const Switch & now)
+{
+  return before.known && !before.closed && now.is_closed();
+}
+
+}  // namespace
+
+void FusedModel::take_one(FusedCore & core, const ContactSample & sample) const
+{
+  advance(core, sample.stamp);
+  if (core.located_on) {
+    for (const Side side : {Side::kLeft, Side::kRight}) {
+      take_bumpers(core, side, sample);
+      take_riser_switch(core, side, sample);
+    }
+  }
+  core.contacts = sample;
+}
+
+void FusedModel::take_bumpers(FusedCore & core, Side side, const ContactSample & sample) const
+{
+  const bool left = side == Side::kLeft;
+  const auto & before = left ? core.contacts.left : core.contacts.right;
+  const auto & now = left ? sample.left : sample.right;
+  auto & closed_at = core.closed_at[left ? 0 : 1];
+  const bool open_before =
+    std::none_of(before.begin(), before.end(), [](const Switch & one) { return one.is_closed(); });
+  bool first = open_before;  // of a sweep: later ones find a corrected y
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    if (!just_closed(before[i], now[i]) || sample.stamp - closed_at[i] < kLeastBetween) {
+      continue;
+    }
+    closed_at[i] = sample.stamp;
+    const Expectation gap = expect_bumper(
+      core.filter.state(), side, robot_.block_x_m(static_cast<int>(i) + 1), robot_.block_length_m,
+      robot_.contact_width_m);
+    if (first) {
+      note_closure(core, left, gap.value());
+      first = false;
+    }
+    use_contact(
+      core, left ? Source::kBumperLeft : Source::kBumperRight, gap, kStateY,
+      squared(params_.fused.noise.bumper_m));
+  }
+}
+
+// Eq. (3) takes the robot for square to the wall. Turned by psi it touches with a corner, l sin psi
+// farther out, so what is noted is the y of a square robot with the same gap (D1-2).
+void FusedModel::note_closure(FusedCore & core, bool left, double gap_m) const
+{
+  const double half_m = robot_.contact_width_m / 2.0;
+  if (left) {
+    core.closure.note_left(core.filter[kStateWidth] - half_m - gap_m);
+  } else {
+    core.closure.note_right(half_m + gap_m);
+  }
+}
+
+void FusedModel::take_riser_switch(FusedCore & core, Side side, const ContactSample & sample) const
+{
+  const bool left = side == Side::kLeft;
+  const Switch & before = left ? core.contacts.riser_left : core.contacts.riser_right;
+  const Switch & now = left ? sample.riser_left : sample.riser_right;
+  Nanoseconds & closed_at = core.closed_at[left ? 0 : 1][kRiserSwitch];
+  if (
+    *core.located_on == flight_.steps() || !just_closed(before, now) ||
+    sample.stamp - closed_at < kLeastBetween) {
+    return;
+  }
+  closed_at = sample.stamp;
+  const double tip_y_m = left ? robot_.switch_y_m : -robot_.switch_y_m;
+  use_contact(
+    core, Source::kRiserSwitches,
+    expect_riser_switch(core.filter.state(), robot_.switch_x_m, tip_y_m), kStateX,
+    squared(params_.fused.noise.riser_switch_m));
+}
+
+// A contact is the surest of all measurements. Where it surprises, the robot has slipped on its
+// way, unless the surprise is beyond what a slip can do: then it has touched something else.
+void FusedModel::use_contact(
+  FusedCore & core, Source source, const Expectation & gap, int axis, double variance) const
+{
+  const Innovation innovation = core.filter.innovation(gap, 0.0, variance);
+  const double surprise_m2 = squared(innovation.value);
+  if (innovation.nis() > gate_ && surprise_m2 < squared(params_.fused.contact_gate_m)) {
+    core.filter.inflate(axis, surprise_m2);
+    ++core.slips_noticed;
+  }
+  use(core, source, gap, 0.0, variance);
+}
+
+void FusedModel::take_one(FusedCore & core, const BlockSample & sample) const
+{
+  advance(core, sample.stamp);
+  core.blocks_moving = std::any_of(
+    sample.blocks.begin(), sample.blocks.end(), [](const auto & block) { return block.moving; });
+  const bool young = core.block2_down.status == RangeStatus::kValid &&
+                     seconds(sample.stamp - core.block2_down.stamp) <= params_.max_sample_age_s;
+  const auto down_m = young ? std::optional<double>(core.block2_down.range_m) : std::nullopt;
+  take_step_event(core, core.steps.add(sample, down_m));
+}
+
+void FusedModel::take_step_event(FusedCore & core, StepEvent event) const
+{
+  const auto step = core.steps.step();
+  if (!step) {
+    core.located_on.reset();
+    return;
+  }
+  if (core.located_on == step) {
+    return;
+  }
+  const FusedPriors & prior = params_.fused.priors;
+  ErrorStateFilter & filter = core.filter;
+  const double tread_variance = squared(prior.tread_m);
+  const double riser_variance = squared(prior.riser_direction_rad);
+  if (event == StepEvent::kClimbed && core.located_on == *step - 1) {
+    core.edge_x_m += filter[kStateTreadAhead];
+    core.edge_variance_m2 += filter.variance(kStateTreadAhead);
+    core.rise_m += flight_.riser_m(*step);
+    core.rise_variance_m2 += squared(prior.riser_m);
+    filter.climb(tread_m(*step + 1), tread_variance, riser_variance);
+  } else if (event == StepEvent::kUndone && core.located_on == *step + 1) {
+    core.edge_x_m -= filter[kStateTreadHere];
+    core.rise_m -= flight_.riser_m(*step + 1);
+    filter.descend(tread_m(*step), tread_variance, riser_variance);
+  } else {
+    locate(core, *step);
+    return;
+  }
+  filter.inflate(kStateWidth, squared(prior.width_change_m));
+  core.located_on = step;
+  core.closure = ContactClosure(filter[kStateWidth], robot_.contact_width_m);
+}
+
+}  // namespace stetro_localizer

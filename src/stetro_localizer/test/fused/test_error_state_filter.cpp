@@ -1,0 +1,192 @@
+// Copyright 2026 The sTetro Authors
+//
+// Licensed under the Apache License, Version 2.0 (the "License");
+// you may not use this file except in compliance with the License.
+// You may obtain a copy of the License at
+//
+//     http://www.apache.org/licenses/LICENSE-2.0
+//
+// Unless required by applicable law or agreed to in writing, software
+// distributed under the License is distributed on an "AS IS" BASIS,
+// WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+// See the License for the specific language governing permissions and
+// limitations under the License.
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <random>
+
+#include "stetro_localizer/fused/error_state_filter.hpp"
+#include "support/jacobian.hpp"
+
+namespace stetro_localizer
+{
+namespace
+{
+
+ProcessNoise quiet() { return {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0}; }
+
+// A filter whose states are all correlated, by measuring random mixtures of them.
+ErrorStateFilter entangled(unsigned seed)
+{
+  ErrorStateFilter filter;
+  const StateVector state = some_state(seed);
+  for (int i = 0; i < kStateCount; ++i) {
+    filter.set(i, state[i], 0.01 + 0.001 * i);
+  }
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal;
+  for (int k = 0; k < 30; ++k) {
+    Expectation mixture(0.0);
+    for (int i = 0; i < 6; ++i) {
+      mixture.depends_on((k * 5 + i * 3) % kStateCount, normal(random));
+    }
+    filter.correct(mixture, {0.0, filter.innovation(mixture, 0.0, 0.02).variance});
+  }
+  return filter;
+}
+
+StateVector moved(const StateVector & state, double dt_s, double rate_radps)
+{
+  ErrorStateFilter filter;
+  for (int i = 0; i < kStateCount; ++i) {
+    filter.set(i, state[i], 0.0);
+  }
+  filter.predict(dt_s, rate_radps, quiet(), false);
+  return filter.state();
+}
+
+TEST(ErrorStateFilter, PropagatesByTheJacobianOfTheMotion)
+{
+  ErrorStateFilter filter = entangled(3);
+  const StateVector before = filter.state();
+  const StateMatrix P = filter.covariance();
+  StateMatrix F;
+  constexpr double kStep = 1e-6;
+  for (int i = 0; i < kStateCount; ++i) {
+    StateVector more = before;
+    StateVector less = before;
+    more[i] += kStep;
+    less[i] -= kStep;
+    F.col(i) = (moved(more, 0.05, 0.2) - moved(less, 0.05, 0.2)) / (2.0 * kStep);
+  }
+  filter.predict(0.05, 0.2, quiet(), false);
+  EXPECT_LT((filter.covariance() - F * P * F.transpose()).cwiseAbs().maxCoeff(), 1e-9);
+  EXPECT_EQ(filter.covariance(), filter.covariance().transpose());
+}
+
+// 0.15 m/s to the left for 2 s at a heading of 30 deg: 0.3 m, half of it against x.
+TEST(ErrorStateFilter, MovesAlongItsHeading)
+{
+  StateVector state = StateVector::Zero();
+  state[kStateVy] = 0.15;
+  state[kStateYaw] = std::acos(-1.0) / 6.0;
+  const StateVector after = moved(state, 2.0, 0.0);
+  EXPECT_NEAR(after[kStateX], -0.15, 1e-12);
+  EXPECT_NEAR(after[kStateY], 0.3 * std::sqrt(0.75), 1e-12);
+}
+
+TEST(ErrorStateFilter, CorrectsAsJosephsFormDoes)
+{
+  ErrorStateFilter filter = entangled(4);
+  const StateVector before = filter.state();
+  const StateMatrix P = filter.covariance();
+  Expectation expectation(1.0);
+  StateVector H = StateVector::Zero();
+  for (const int i : {0, 1, 2, 7, 12, 13}) {
+    H[i] = 0.3 * (i + 1);
+    expectation.depends_on(i, H[i]);
+  }
+  const double R = 0.04;
+  const Innovation innovation = filter.innovation(expectation, 1.5, R);
+  EXPECT_NEAR(innovation.variance, H.dot(P * H) + R, 1e-12);
+  filter.correct(expectation, innovation);
+  const StateVector K = P * H / (H.dot(P * H) + R);
+  const StateMatrix L = StateMatrix::Identity() - K * H.transpose();
+  const StateMatrix joseph = L * P * L.transpose() + R * K * K.transpose();
+  EXPECT_LT((filter.covariance() - joseph).cwiseAbs().maxCoeff(), 1e-12);
+  EXPECT_LT((filter.state() - before - K * 0.5).cwiseAbs().maxCoeff(), 1e-12);
+}
+
+TEST(ErrorStateFilter, ConsideredStatesAreNotCorrected)
+{
+  ErrorStateFilter filter = entangled(5);
+  const StateVector before = filter.state();
+  const StateMatrix P = filter.covariance();
+  Expectation expectation(0.0);
+  StateVector H = StateVector::Zero();
+  for (const int i : {0, 2, 12, 13}) {
+    H[i] = 1.0;
+    expectation.depends_on(i, 1.0);
+  }
+  const Innovation innovation = filter.innovation(expectation, 0.1, 0.01);
+  filter.correct(expectation, innovation, Corrects::kMotionOnly);
+  StateVector K = P * H / innovation.variance;
+  K.tail<kStateCount - kStateGyroBias>().setZero();
+  const StateMatrix L = StateMatrix::Identity() - K * H.transpose();
+  const StateMatrix joseph = L * P * L.transpose() + 0.01 * K * K.transpose();
+  EXPECT_LT((filter.covariance() - joseph).cwiseAbs().maxCoeff(), 1e-12);
+  for (int i = kStateGyroBias; i < kStateCount; ++i) {
+    EXPECT_EQ(filter[i], before[i]);
+  }
+}
+
+TEST(ErrorStateFilter, StaysSymmetricAndPositive)
+{
+  std::mt19937 random(7);
+  std::normal_distribution<double> normal;
+  ErrorStateFilter filter = entangled(6);
+  for (int i = 0; i < 20000; ++i) {
+    filter.predict(0.01, 0.1 * normal(random), ProcessNoise{}, i % 2 == 0);
+    Expectation expectation(0.0);
+    for (int k = 0; k < 6; ++k) {
+      expectation.depends_on((i * 7 + k * 3) % kStateCount, normal(random));
+    }
+    const double variance = std::pow(10.0, -4.0 - 6.0 * (i % 3));
+    filter.correct(
+      expectation, filter.innovation(expectation, 1e-3 * normal(random), variance),
+      i % 5 == 0 ? Corrects::kMotionOnly : Corrects::kAll);
+    if (i % 500 == 0) {
+      const StateMatrix & P = filter.covariance();
+      ASSERT_EQ(P, P.transpose());
+      ASSERT_GT(Eigen::SelfAdjointEigenSolver<StateMatrix>(P).eigenvalues().minCoeff(), -1e-12);
+    }
+  }
+}
+
+TEST(ErrorStateFilter, ClimbingMovesTheReferenceOneTreadOn)
+{
+  ErrorStateFilter filter = entangled(8);
+  const StateVector before = filter.state();
+  const StateMatrix P = filter.covariance();
+  filter.climb(0.31, 6e-6, 3e-6);
+  EXPECT_NEAR(filter[kStateX], before[kStateX] - before[kStateTreadAhead], 1e-15);
+  EXPECT_EQ(filter[kStateTreadHere], before[kStateTreadAhead]);
+  EXPECT_EQ(filter[kStateRiserAhead], before[kStateRiserNext]);
+  EXPECT_EQ(filter[kStateTreadAhead], 0.31);
+  EXPECT_NEAR(
+    filter.variance(kStateX),
+    P(kStateX, kStateX) + P(kStateTreadAhead, kStateTreadAhead) - 2 * P(kStateX, kStateTreadAhead),
+    1e-12);
+  // From the tread's own riser the robot is where it was: x + tread here is the old x.
+  const StateMatrix & Q = filter.covariance();
+  EXPECT_NEAR(
+    Q(kStateX, kStateX) + Q(kStateTreadHere, kStateTreadHere) + 2 * Q(kStateX, kStateTreadHere),
+    P(kStateX, kStateX), 1e-12);
+}
+
+TEST(ErrorStateFilter, DescendingUndoesClimbing)
+{
+  ErrorStateFilter filter = entangled(9);
+  const double x_m = filter[kStateX];
+  const double variance = filter.variance(kStateX);
+  filter.climb(0.31, 6e-6, 3e-6);
+  filter.descend(0.32, 6e-6, 3e-6);
+  EXPECT_NEAR(filter[kStateX], x_m, 1e-15);
+  EXPECT_NEAR(filter.variance(kStateX), variance, 1e-12);
+}
+
+}  // namespace
+}  // namespace stetro_localizer
