@@ -147,6 +147,10 @@ void LiftWatch::note_stillness(const StepModel & model, const StepEvidence & evi
   }
   settled_ =
     still_samples_ >= kSettleSamples && seconds(stamp_ - still_since_) >= model.params().settle_s;
+  if (settled_ || settled_at_ == Nanoseconds{0}) {
+    settled_at_ = stamp_;
+  }
+  restless_ = seconds(stamp_ - settled_at_) >= model.params().restless_s;
 }
 
 void LiftWatch::note_conflict(const StepModel & model, const StepEvidence & evidence)
