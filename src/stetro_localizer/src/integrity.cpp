@@ -35,7 +35,7 @@ const char * to_string(Integrity integrity)
 
 std::string reason_names(std::uint32_t reasons)
 {
-  constexpr std::array<std::pair<Reason, const char *>, 8> kNames{{
+  constexpr std::array<std::pair<Reason, const char *>, 12> kNames{{
     {kNoSideRange, "no side range"},
     {kNoFrontReference, "no front reference"},
     {kStepUncertain, "step uncertain"},
@@ -43,7 +43,11 @@ std::string reason_names(std::uint32_t reasons)
     {kInputSilent, "input silent"},
     {kCalibrationDamaged, "state file damaged"},
     {kClosureViolated, "closure violated"},
+    {kSensorStuck, "sensor stuck"},
+    {kSensorDead, "sensor dead"},
+    {kProtectionExceeded, "protection level exceeded"},
     {kContactConflict, "contact conflict"},
+    {kSlip, "slip"},
   }};
   std::string text;
   for (const auto & [reason, name] : kNames) {

@@ -50,6 +50,16 @@ void each_number(State & state, Each && each)
   range("side_right", state.calibration.right);
   range("front_difference", state.calibration.front_difference);
   scalar("gyro_bias", state.calibration.gyro_bias);
+  if (state.fused) {
+    for (std::size_t i = 0; i < FusedCalibration::kSize; ++i) {
+      each("fused.value." + std::to_string(i), state.fused->value[i]);
+      for (std::size_t j = 0; j < FusedCalibration::kSize; ++j) {
+        each(
+          "fused.covariance." + std::to_string(i) + '.' + std::to_string(j),
+          state.fused->covariance[i][j]);
+      }
+    }
+  }
   if (state.step) {
     each("step.lift_off_offset_m", state.step->lift_off_offset_m);
     each("step.lift_off_reference_m", state.step->lift_off_reference_m);
@@ -130,6 +140,9 @@ std::optional<StoredState> parse_stored_state(const std::string & text, std::str
   const auto resets = lines.find("reset_counter");
   bool whole = flight != lines.end() && resets != lines.end() &&
                read_number(resets->second, state.reset_counter) && read_step(lines, state);
+  if (lines.count("fused.value.0") > 0) {
+    state.fused.emplace();
+  }
   each_number(state, [&](const std::string & name, double & number) {
     const auto line = lines.find(name);
     whole =

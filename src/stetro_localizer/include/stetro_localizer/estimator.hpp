@@ -49,11 +49,15 @@ struct StairEstimate
   double tread_y_m = kUnknown;      ///< from the right wall [m]
   std::array<double, 3> block_heights_m{kUnknown, kUnknown, kUnknown};  ///< in the flight frame
   Integrity integrity = Integrity::kLost;
-  std::uint32_t reasons = kNotInitialised;  ///< bits of `Reason`
-  std::uint32_t reset_counter = 0;          ///< jumps of the estimate
-  stetro_site::Pose reset_delta;            ///< how far the last one went
-  std::optional<double> measured_x_m;       ///< x by the front pair (D1-13) [m]
-  std::optional<double> contact_closure_m;  ///< eq. (3) of this tread [m]
+  std::uint32_t reasons = kNotInitialised;   ///< bits of `Reason`
+  double protection_along_m = kUnknown;      ///< bound of the error of x, at `integrity_risk` [m]
+  double protection_across_m = kUnknown;     ///< of y [m]
+  double protection_heading_rad = kUnknown;  ///< [rad]
+  double integrity_risk = kUnknown;          ///< that one of them is exceeded unseen, each step
+  std::uint32_t reset_counter = 0;           ///< jumps of the estimate
+  stetro_site::Pose reset_delta;             ///< how far the last one went
+  std::optional<double> measured_x_m;        ///< x by the front pair (D1-13) [m]
+  std::optional<double> contact_closure_m;   ///< eq. (3) of this tread [m]
 };
 
 /// A constant error that the estimator learns.

@@ -65,7 +65,10 @@ private:
   void refresh();
   void refresh_position();
   void refresh_covariance();
+  void refresh_protection();
   void refresh_integrity();
+  [[nodiscard]] std::uint32_t sensor_reasons() const;
+  [[nodiscard]] std::uint32_t pose_reasons() const;
 
   LocalizerParams params_;
   stetro_site::RobotGeometry robot_;
@@ -79,7 +82,8 @@ private:
   bool silent_ = false;
   std::uint32_t step_reasons_ = kNotInitialised;
   std::uint32_t resets_at_start_ = 0;
-  std::uint64_t version_ = 0;
+  std::uint64_t told_ = 0;  // times that someone told the pose
+  double risk_quantile_;    // standard deviations that an error exceeds at the integrity risk
 };
 
 }  // namespace stetro_localizer

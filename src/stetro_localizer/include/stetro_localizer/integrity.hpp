@@ -30,14 +30,18 @@ enum class Integrity {
 
 /// Why integrity is not OK: bits, with the values they have on the wire.
 enum Reason : std::uint32_t {
-  kNoSideRange = 1u << 0,         ///< y is predicted by the wheels
-  kNoFrontReference = 1u << 1,    ///< the heading, or x on the floor, lacks a riser
-  kStepUncertain = 1u << 2,       ///< the step evidence is missing or contradicts itself
-  kNotInitialised = 1u << 3,      ///< nobody has told the step yet
-  kInputSilent = 1u << 4,         ///< an input has stopped
-  kCalibrationDamaged = 1u << 5,  ///< the state file could not be used
-  kClosureViolated = 1u << 6,     ///< left and right range do not add up to the width
-  kContactConflict = 1u << 12     ///< a switch and a range contradict each other
+  kNoSideRange = 1u << 0,          ///< y is predicted by the wheels
+  kNoFrontReference = 1u << 1,     ///< the heading, or x on the floor, lacks a riser
+  kStepUncertain = 1u << 2,        ///< the step evidence is missing or contradicts itself
+  kNotInitialised = 1u << 3,       ///< nobody has told the step yet
+  kInputSilent = 1u << 4,          ///< an input has stopped
+  kCalibrationDamaged = 1u << 5,   ///< the state file could not be used
+  kClosureViolated = 1u << 6,      ///< left and right range do not add up to the width
+  kSensorStuck = 1u << 7,          ///< a sensor repeats itself
+  kSensorDead = 1u << 8,           ///< a sensor has stopped to answer
+  kProtectionExceeded = 1u << 10,  ///< the error may be larger than the task allows
+  kContactConflict = 1u << 12,     ///< a switch and a range contradict each other
+  kSlip = 1u << 13                 ///< wheels and ranges contradict each other
 };
 
 /// The integrity that a set of reasons makes.

@@ -15,6 +15,8 @@
 #ifndef STETRO_LOCALIZER__STORED_STATE_HPP_
 #define STETRO_LOCALIZER__STORED_STATE_HPP_
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -35,13 +37,23 @@ struct Calibration
   ScalarEstimate gyro_bias;      ///< [rad/s]
 };
 
+/// Constant errors that the fused estimator learned, with what it knows of their doubt.
+struct FusedCalibration
+{
+  /// Offset [m] and gain [-] of side_left, side_right, front_left, front_right; scale of the wheels.
+  static constexpr std::size_t kSize = 9;
+  std::array<double, kSize> value{};
+  std::array<std::array<double, kSize>, kSize> covariance{};
+};
+
 /// What survives a restart.
 struct StoredState
 {
   std::string flight_id;          ///< frame of the flight the step belongs to
   std::optional<StepState> step;  ///< nothing: the step was unknown
   Calibration calibration;
-  std::uint32_t reset_counter = 0;  ///< jumps of the estimate so far
+  std::optional<FusedCalibration> fused;  ///< nothing: another estimator wrote this
+  std::uint32_t reset_counter = 0;        ///< jumps of the estimate so far
 };
 
 /// The state as text, one `key value` a line; exact for every double.

@@ -14,6 +14,7 @@
 
 #include "stetro_localizer/fused/error_state_filter.hpp"
 
+#include <array>
 #include <cmath>
 
 namespace stetro_localizer
@@ -25,6 +26,18 @@ double squared(double value) { return value * value; }
 
 // Indices below are motion; from here on it is what the motion is measured against.
 constexpr int kFirstConsidered = kStateGyroBias;
+
+// What is kept for the next time, in the order of `FusedCalibration`.
+constexpr std::array<int, FusedCalibration::kSize> kKept{
+  offset_index(Ranger::kSideLeft),
+  gain_index(Ranger::kSideLeft),
+  offset_index(Ranger::kSideRight),
+  gain_index(Ranger::kSideRight),
+  offset_index(Ranger::kFrontLeft),
+  gain_index(Ranger::kFrontLeft),
+  offset_index(Ranger::kFrontRight),
+  gain_index(Ranger::kFrontRight),
+  int{kStateOdomScale}};
 
 }  // namespace
 
@@ -118,11 +131,11 @@ void ErrorStateFilter::correct(
     P_.noalias() -= h * h.transpose();
     return;
   }
-  constexpr int kKept = kStateCount - kFirstConsidered;
-  const Eigen::Matrix<double, kKept, kKept> kept = P_.bottomRightCorner<kKept, kKept>();
+  constexpr int kRest = kStateCount - kFirstConsidered;
+  const Eigen::Matrix<double, kRest, kRest> kept = P_.bottomRightCorner<kRest, kRest>();
   x_.head<kFirstConsidered>() += h.head<kFirstConsidered>() * normalised;
   P_.noalias() -= h * h.transpose();
-  P_.bottomRightCorner<kKept, kKept>() = kept;
+  P_.bottomRightCorner<kRest, kRest>() = kept;
 }
 
 void ErrorStateFilter::copy_row(int to, int from)
@@ -131,6 +144,30 @@ void ErrorStateFilter::copy_row(int to, int from)
   P_.col(to) = P_.col(from);
   P_.row(to) = P_.row(from);
   P_(to, to) = P_(from, from);
+}
+
+FusedCalibration ErrorStateFilter::calibration() const
+{
+  FusedCalibration kept;
+  for (std::size_t i = 0; i < kKept.size(); ++i) {
+    kept.value[i] = x_[kKept[i]];
+    for (std::size_t j = 0; j < kKept.size(); ++j) {
+      kept.covariance[i][j] = P_(kKept[i], kKept[j]);
+    }
+  }
+  return kept;
+}
+
+void ErrorStateFilter::set_calibration(const FusedCalibration & calibration)
+{
+  for (std::size_t i = 0; i < kKept.size(); ++i) {
+    set(kKept[i], calibration.value[i], 0.0);
+  }
+  for (std::size_t i = 0; i < kKept.size(); ++i) {
+    for (std::size_t j = 0; j < kKept.size(); ++j) {
+      P_(kKept[i], kKept[j]) = calibration.covariance[i][j];
+    }
+  }
 }
 
 void ErrorStateFilter::climb(double tread_m, double tread_variance, double riser_variance)

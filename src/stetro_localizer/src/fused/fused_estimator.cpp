@@ -17,6 +17,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "stetro_localizer/fused/normal_quantile.hpp"
+
 namespace stetro_localizer
 {
 namespace
@@ -59,7 +61,8 @@ FusedEstimator::FusedEstimator(
   flight_(flight),
   model_(params, robot, flight),
   history_(model_, model_.begin(), nanoseconds(params.fused.window_s), kMostInWindow),
-  watch_(params.silence_s)
+  watch_(params.silence_s),
+  risk_quantile_(two_sided_quantile(params.fused.integrity_risk))
 {
 }
 
@@ -162,6 +165,7 @@ void FusedEstimator::refresh()
   estimate_.stamp = std::max(estimate_.stamp, core.time);
   refresh_position();
   refresh_covariance();
+  refresh_protection();
   refresh_integrity();
   estimate_.contact_closure_m = core.closure.error_m();
   estimate_.reset_counter = resets_at_start_ + core.jumps;
@@ -210,31 +214,6 @@ void FusedEstimator::refresh_covariance()
   }
   covariance(2, 2) = core.rise_variance_m2 + 1e-6;
   covariance(3, 3) = covariance(4, 4) = kTilt * kTilt;
-}
-
-void FusedEstimator::refresh_integrity()
-{
-  const FusedCore & core = history_.core();
-  const auto flag = [](bool raised, std::uint32_t reason) { return raised ? reason : 0u; };
-  const bool known = core.located_on.has_value();
-  std::uint32_t reasons = 0;
-  if (!known) {
-    reasons |= core.steps.awaiting_blocks() ? std::uint32_t{kNotInitialised} : step_reasons_;
-  }
-  const auto recent = [&core](Ranger ranger) {
-    return seconds(core.time - core.used_at[static_cast<std::size_t>(ranger)]) < 0.5;
-  };
-  reasons |= flag(!recent(Ranger::kSideLeft) && !recent(Ranger::kSideRight), kNoSideRange);
-  const double yaw_sigma = std::sqrt(core.filter.variance(kStateYaw));
-  const double x_sigma = std::sqrt(core.filter.variance(kStateX));
-  reasons |= flag(yaw_sigma > params_.heading.sigma_limit_rad || x_sigma > 0.15, kNoFrontReference);
-  reasons |= flag(silent_, kInputSilent);
-  const bool conflict = core.steps.evidence_conflicts() ||
-                        core.reports[Source::kBumperLeft].outcome == Outcome::kGated ||
-                        core.reports[Source::kBumperRight].outcome == Outcome::kGated;
-  reasons |= flag(conflict, kContactConflict);
-  estimate_.reasons = reasons;
-  estimate_.integrity = integrity_of(reasons, known);
 }
 
 std::array<Bias, 4> FusedEstimator::biases() const

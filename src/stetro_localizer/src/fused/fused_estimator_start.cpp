@@ -45,6 +45,9 @@ void FusedEstimator::begin(const StateReading & stored)
     case StateReading::Kind::kFound: {
       const ScalarEstimate & bias = stored.state.calibration.gyro_bias;
       core.filter.set(kStateGyroBias, bias.value, bias.variance);
+      if (stored.state.fused) {
+        core.filter.set_calibration(*stored.state.fused);
+      }
       resets_at_start_ = stored.state.reset_counter + 1;
       const auto & step = stored.state.step;
       if (step && stored.state.flight_id == flight_.id() && core.steps.has(step->step)) {
@@ -75,7 +78,7 @@ std::optional<std::string> FusedEstimator::tell_pose(
   core.filter.set(kStateY, pose.y_m, variance(1, 0.01));
   core.filter.set(kStateYaw, pose.yaw_rad, variance(5, 0.01));
   history_.restart(core);
-  ++version_;
+  ++told_;
   refresh();
   return std::nullopt;
 }
@@ -87,10 +90,11 @@ StoredState FusedEstimator::state_to_store() const
   state.flight_id = flight_.id();
   state.step = core.steps.state_to_store();
   state.calibration.gyro_bias = {core.filter[kStateGyroBias], core.filter.variance(kStateGyroBias)};
+  state.fused = core.filter.calibration();
   state.reset_counter = estimate_.reset_counter;
   return state;
 }
 
-std::uint64_t FusedEstimator::state_version() const { return version_; }
+std::uint64_t FusedEstimator::state_version() const { return told_ + history_.core().landmarks; }
 
 }  // namespace stetro_localizer

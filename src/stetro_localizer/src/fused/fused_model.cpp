@@ -94,7 +94,7 @@ void FusedModel::take(FusedCore & core, const Sample & sample) const
 void FusedModel::advance(FusedCore & core, Nanoseconds time) const
 {
   if (core.time == Nanoseconds{0}) {
-    core.time = time;
+    core.time = core.since = time;
   }
   if (time <= core.time) {
     return;

@@ -120,7 +120,9 @@ void FusedModel::use_contact(
     core.filter.inflate(axis, surprise_m2);
     ++core.slips_noticed;
   }
-  use(core, source, gap, 0.0, variance);
+  if (use(core, source, gap, 0.0, variance) == Outcome::kFused) {
+    ++core.landmarks;
+  }
 }
 
 void FusedModel::take_one(FusedCore & core, const BlockSample & sample) const
@@ -136,6 +138,7 @@ void FusedModel::take_one(FusedCore & core, const BlockSample & sample) const
 
 void FusedModel::take_step_event(FusedCore & core, StepEvent event) const
 {
+  core.landmarks += event == StepEvent::kNone ? 0 : 1;
   const auto step = core.steps.step();
   if (!step) {
     core.located_on.reset();

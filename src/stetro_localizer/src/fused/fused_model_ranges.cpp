@@ -15,7 +15,9 @@
 // What range readings mean, and what a slip looks like in them.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include "stetro_localizer/front_reference.hpp"
 #include "stetro_localizer/fused/fused_model.hpp"
@@ -27,6 +29,13 @@ namespace
 
 constexpr Nanoseconds kSlipGoesOn = std::chrono::milliseconds(200);
 constexpr double kResolution = 0.001;  // readings come in whole millimetres [m]
+
+constexpr std::array<std::pair<Ranger, Place>, kRangerCount> kWatched{{
+  {Ranger::kSideLeft, Place::kSideLeft},
+  {Ranger::kSideRight, Place::kSideRight},
+  {Ranger::kFrontLeft, Place::kFrontLeft},
+  {Ranger::kFrontRight, Place::kFrontRight},
+}};
 
 double squared(double value) { return value * value; }
 
@@ -42,6 +51,9 @@ void FusedModel::take_one(FusedCore & core, const RangeSample & sample) const
   advance(core, sample.stamp);
   if (sample[Place::kBlock2Down].status != RangeStatus::kAbsent) {
     core.block2_down = sample[Place::kBlock2Down];
+  }
+  for (const auto & [ranger, place] : kWatched) {
+    core.monitors[static_cast<std::size_t>(ranger)].note(sample[place]);
   }
   if (!core.located_on) {
     return;
@@ -61,13 +73,14 @@ void FusedModel::take_side(FusedCore & core, Side side, const RangeReading & rea
   if (reading.status == RangeStatus::kAbsent) {
     return;
   }
+  const SideRangeAiding & aiding = sides_[left ? 0 : 1];
   if (
     !walled || reading.status != RangeStatus::kValid ||
+    core.monitors[static_cast<std::size_t>(aiding.ranger())].stuck() ||
     reading.range_m > robot_.range_sensor.reliable_range_m) {
     core.reports[source].note({Outcome::kNotVisible, Refusal::kNone});
     return;
   }
-  const SideRangeAiding & aiding = sides_[left ? 0 : 1];
   const Expectation expected = aiding.expect(core.filter.state());
   const Outcome outcome =
     use(core, source, expected, reading.range_m, range_variance_m2(expected.value()));
@@ -96,7 +109,9 @@ void FusedModel::take_front(
     seen = riser_ahead(flight_, beam_z_m, params_.heading.nosing_margin_m);
   }
   const int beyond = seen ? *seen - (*core.located_on + 1) : -1;
-  if (beyond < 0 || beyond > 2 || sees_side_wall(core, place, reading.range_m)) {
+  if (
+    beyond < 0 || beyond > 2 || sees_side_wall(core, place, reading.range_m) ||
+    core.monitors[static_cast<std::size_t>(aiding.ranger())].stuck()) {
     report.note({Outcome::kNotVisible, Refusal::kNone});
     return;
   }

@@ -131,10 +131,10 @@ void fill(
   message.block_heights(estimate.block_heights_m);
   message.integrity(integrity_of(estimate.integrity));
   message.reasons(estimate.reasons);
-  message.protection_along(kUnknown);
-  message.protection_across(kUnknown);
-  message.protection_heading(kUnknown);
-  message.integrity_risk(kUnknown);
+  message.protection_along(estimate.protection_along_m);
+  message.protection_across(estimate.protection_across_m);
+  message.protection_heading(estimate.protection_heading_rad);
+  message.integrity_risk(estimate.integrity_risk);
   message.reset_counter(estimate.reset_counter);
   message.reset_delta_x(estimate.reset_delta.x_m);
   message.reset_delta_y(estimate.reset_delta.y_m);

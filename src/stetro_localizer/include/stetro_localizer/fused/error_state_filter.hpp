@@ -17,6 +17,7 @@
 
 #include "stetro_localizer/fused/expectation.hpp"
 #include "stetro_localizer/fused/state.hpp"
+#include "stetro_localizer/stored_state.hpp"
 
 namespace stetro_localizer
 {
@@ -87,6 +88,12 @@ public:
   void correct(
     const Expectation & expectation, const Innovation & innovation,
     Corrects corrects = Corrects::kAll);
+
+  /// Offsets and gains of the range sensors and the scale of the wheels, to be kept.
+  [[nodiscard]] FusedCalibration calibration() const;
+
+  /// Takes them from where they were kept. They are then independent of all other states.
+  void set_calibration(const FusedCalibration & calibration);
 
   /// Block 2 came to stand one tread higher: the next riser is the one ahead now.
   /**

@@ -22,6 +22,7 @@
 
 #include "stetro_localizer/contact_closure.hpp"
 #include "stetro_localizer/fused/error_state_filter.hpp"
+#include "stetro_localizer/fused/range_monitor.hpp"
 #include "stetro_localizer/fused/slip_watch.hpp"
 #include "stetro_localizer/outcome.hpp"
 #include "stetro_localizer/samples.hpp"
@@ -69,6 +70,9 @@ struct FusedCore
   double edge_variance_m2 = 0.0;  ///< of it
   double rise_m = 0.0;            ///< height of the tread of block 2, as built so far [m]
   double rise_variance_m2 = 0.0;
+  Nanoseconds since{0};                               ///< time of the first sample
+  std::array<RangeMonitor, kRangerCount> monitors{};  ///< by `Ranger`
+  std::uint64_t landmarks = 0;  ///< contacts and changes of the step: worth keeping
   std::uint32_t slips_noticed = 0;
   std::uint32_t jumps = 0;  ///< of the state, other than by measurements
 };

@@ -15,6 +15,8 @@
 #ifndef STETRO_LOCALIZER__FUSED__FUSED_PARAMS_HPP_
 #define STETRO_LOCALIZER__FUSED__FUSED_PARAMS_HPP_
 
+#include <cstdint>
+
 #include "stetro_config/field.hpp"
 #include "stetro_config/rule.hpp"
 #include "stetro_localizer/fused/error_state_filter.hpp"
@@ -47,12 +49,26 @@ struct FusedNoise
   double clipped_share = 0.03;     ///< of the range, when the cone takes in more than the riser [-]
 };
 
+/// What is watched, and what counts as too much.
+struct FusedAlerts
+{
+  double along_m = 0.25;            ///< protection level of x that is not OK [m]
+  double across_m = 0.10;           ///< of y [m]
+  double heading_rad = 0.35;        ///< of the heading, 20 deg: before any calibration [rad]
+  double unnoticed_slip_m = 0.004;  ///< of it no measurement tells yet [m]
+  double dead_s = 0.5;              ///< a sensor is silent for so long [s]
+  double offset_m = 0.05;           ///< an offset beyond this is not trusted [m]
+  double gain = 0.15;               ///< nor is such a gain [-]
+  std::int64_t reject_streak = 15;  ///< gated in a row: a sensor contradicts the others
+};
+
 /// The fused estimator's own parameters.
 struct FusedParams
 {
   ProcessNoise process;
   FusedPriors priors;
   FusedNoise noise;
+  FusedAlerts alerts;
   double gate_false_alarm = 1e-4;  ///< share of sound measurements that a gate refuses [-]
   double window_s = 0.4;           ///< late samples are applied at their time within this [s]
   double contact_gate_m = 0.05;    ///< a contact that surprises by more is not believed [m]
@@ -95,6 +111,19 @@ void visit(FusedParams & p, Visitor && each)
   each("noise.bumper_m", noise.bumper_m, Within{1e-4, 0.05}, "where a bumper closes [m]");
   each("noise.riser_switch_m", noise.riser_switch_m, Within{1e-5, 0.05}, "where one closes [m]");
   each("noise.clipped_share", noise.clipped_share, Within{0.0, 1.0}, "cone beyond the riser [-]");
+  FusedAlerts & alert = p.alerts;
+  each("alerts.along_m", alert.along_m, Within{0.001, 1.0}, "protection level along [m]");
+  each("alerts.across_m", alert.across_m, Within{0.001, 1.0}, "protection level across [m]");
+  each("alerts.heading_rad", alert.heading_rad, Within{0.001, 1.0}, "and of the heading [rad]");
+  each(
+    "alerts.unnoticed_slip_m", alert.unnoticed_slip_m, Within{0.0, 0.1},
+    "what a slip does before it is noticed [m]");
+  each("alerts.dead_s", alert.dead_s, Within{0.05, 10.0}, "a silent sensor is dead after [s]");
+  each("alerts.offset_m", alert.offset_m, Within{0.001, 0.5}, "larger offset is not trusted [m]");
+  each("alerts.gain", alert.gain, Within{0.001, 1.0}, "larger gain error is not trusted [-]");
+  each(
+    "alerts.reject_streak", alert.reject_streak, Within{2, 1000},
+    "gated in a row: a sensor contradicts the others");
   each(
     "gate_false_alarm", p.gate_false_alarm, Within{1e-9, 0.1},
     "share of sound measurements that a gate refuses");

@@ -1,0 +1,110 @@
+// Copyright 2026 The sTetro Authors
+//
+// Licensed under the Apache License, Version 2.0 (the "License");
+// you may not use this file except in compliance with the License.
+// You may obtain a copy of the License at
+//
+//     http://www.apache.org/licenses/LICENSE-2.0
+//
+// Unless required by applicable law or agreed to in writing, software
+// distributed under the License is distributed on an "AS IS" BASIS,
+// WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+// See the License for the specific language governing permissions and
+// limitations under the License.
+
+// How far the estimate may be trusted, and why not.
+
+#include <algorithm>
+#include <cmath>
+
+#include "stetro_localizer/fused_estimator.hpp"
+
+namespace stetro_localizer
+{
+namespace
+{
+
+constexpr double kRecent = 0.5;  // a correction this young still counts [s]
+
+std::uint32_t flag(bool raised, std::uint32_t reason) { return raised ? reason : 0u; }
+
+}  // namespace
+
+// The filter's own doubt at the integrity risk, and what a slip does before it is noticed.
+void FusedEstimator::refresh_protection()
+{
+  const FusedCore & core = history_.core();
+  const auto bound = [&](int index) {
+    return risk_quantile_ * std::sqrt(core.filter.variance(index));
+  };
+  const bool known = core.located_on.has_value();
+  const double slip_m = params_.fused.alerts.unnoticed_slip_m;
+  estimate_.protection_along_m = known ? bound(kStateX) + slip_m : kUnknown;
+  estimate_.protection_across_m = known ? bound(kStateY) + slip_m : kUnknown;
+  estimate_.protection_heading_rad = known ? bound(kStateYaw) : kUnknown;
+  estimate_.integrity_risk = params_.fused.integrity_risk;
+}
+
+void FusedEstimator::refresh_integrity()
+{
+  const FusedCore & core = history_.core();
+  const bool known = core.located_on.has_value();
+  std::uint32_t reasons = sensor_reasons();
+  if (known) {
+    reasons |= pose_reasons();
+  } else {
+    reasons |= core.steps.awaiting_blocks() ? std::uint32_t{kNotInitialised} : step_reasons_;
+  }
+  estimate_.reasons = reasons;
+  estimate_.integrity = integrity_of(reasons, known);
+}
+
+std::uint32_t FusedEstimator::sensor_reasons() const
+{
+  const FusedCore & core = history_.core();
+  const FusedAlerts & alert = params_.fused.alerts;
+  std::uint32_t reasons = flag(silent_, kInputSilent);
+  for (std::size_t i = 0; i < kRangerCount; ++i) {
+    const RangeMonitor & monitor = core.monitors[i];
+    reasons |= flag(monitor.dead(core.time, core.since, alert.dead_s), kSensorDead);
+    reasons |= flag(monitor.stuck(), kSensorStuck);
+    const auto ranger = static_cast<Ranger>(i);
+    const bool beyond_trust = std::abs(core.filter[offset_index(ranger)]) > alert.offset_m ||
+                              std::abs(core.filter[gain_index(ranger)]) > alert.gain;
+    reasons |= flag(beyond_trust, kCalibrationDamaged);
+  }
+  const auto contradicts = [&](Source source) {
+    return core.reports[source].reject_streak >= alert.reject_streak;
+  };
+  reasons |=
+    flag(contradicts(Source::kSideLeft) || contradicts(Source::kSideRight), kClosureViolated);
+  reasons |= flag(
+    contradicts(Source::kFrontLeft) || contradicts(Source::kFrontRight) ||
+      contradicts(Source::kGyro),
+    kSlip);
+  return reasons;
+}
+
+std::uint32_t FusedEstimator::pose_reasons() const
+{
+  const FusedCore & core = history_.core();
+  const FusedAlerts & alert = params_.fused.alerts;
+  const auto recent = [&core](Ranger ranger) {
+    return seconds(core.time - core.used_at[static_cast<std::size_t>(ranger)]) < kRecent;
+  };
+  std::uint32_t reasons =
+    flag(!recent(Ranger::kSideLeft) && !recent(Ranger::kSideRight), kNoSideRange);
+  reasons |= flag(
+    estimate_.protection_along_m > alert.along_m ||
+      estimate_.protection_heading_rad > alert.heading_rad,
+    kNoFrontReference);
+  reasons |= flag(estimate_.protection_across_m > alert.across_m, kProtectionExceeded);
+  const auto gated = [&core](Source source) {
+    return core.reports[source].outcome == Outcome::kGated;
+  };
+  const bool conflict = core.steps.evidence_conflicts() || gated(Source::kBumperLeft) ||
+                        gated(Source::kBumperRight) || gated(Source::kRiserSwitches);
+  return reasons | flag(conflict, kContactConflict);
+}
+
+}  // namespace stetro_localizer
