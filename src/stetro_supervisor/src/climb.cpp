@@ -154,11 +154,7 @@ void Climb::watch(const Situation & s)
   note_since(memory_.front_free_since, front && *front > params_.front_free_m, now_);
   note_since(memory_.pose_sound_since, s.pose_sound(), now_);
   if (row_of(state_).gap_m) {
-    const auto gap = row_of(state_).gap_m(s);
-    if (!gap || *gap < memory_.nearest_m - kNearer_m) {
-      memory_.nearest_m = gap ? *gap : std::numeric_limits<double>::infinity();
-      memory_.nearest_time = now_;
-    }
+    watch_gap(row_of(state_).gap_m(s));
   }
   if (sweeps(state_) && s.pose_usable() && s.step() >= 1) {
     memory_.record.swept.at(static_cast<std::size_t>(s.step() - 1)).pass(seen_.pose->y_m);
@@ -167,6 +163,16 @@ void Climb::watch(const Situation & s)
   if (state_ == State::kRollToRiser || state_ == State::kRealignBackOff) {
     memory_.record.rolled_m = memory_.rolled_before_m + s.along_m();
   }
+}
+
+void Climb::watch_gap(std::optional<double> gap_m)
+{
+  if (!gap_m || *gap_m < memory_.nearest_m - kNearer_m) {
+    memory_.nearest_m = gap_m.value_or(std::numeric_limits<double>::infinity());
+    memory_.nearest_time = now_;
+    memory_.nearest_along_m = memory_.path.along_m;
+  }
+  memory_.farthest_m = std::max(memory_.farthest_m, gap_m.value_or(0.0));
 }
 
 const Exit * Climb::first_open(const Situation & s, const Row & row) const
@@ -210,8 +216,8 @@ void Climb::enter(const Exit & exit, const Situation & s)
   state_ = exit.to;
   entered_ = now_;
   memory_.mark = memory_.path;
-  memory_.nearest_m = std::numeric_limits<double>::infinity();
-  memory_.nearest_time = now_;
+  memory_.farthest_m = 0.0;
+  watch_gap(std::nullopt);
   const Phase phase = phase_of(state_);
   if (phase == Phase::kNone) {
     memory_.record.active = false;

@@ -15,6 +15,7 @@
 #include "stetro_supervisor/climb_geometry.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -73,7 +74,27 @@ void check_threshold(
   }
 }
 
+/// A block that stands a whole riser above what is below its sensor must not pass for down.
+void check_doubt(const ClimbGeometry & g, const ClimbParams & p, stetro_config::Faults & faults)
+{
+  const double doubt_m = g.contact_doubt_m(stetro_site::Place::kBlock2Down, p);
+  for (const double riser : g.riser_m) {
+    if (!(doubt_m < riser / 2.0)) {
+      faults.refuse(
+        "contact.doubt_sigmas", stetro_config::to_text(p.doubt_sigmas),
+        "such that the gap in doubt, " + metres(doubt_m) + ", is less than half the riser of " +
+          metres(riser));
+    }
+  }
+}
+
 }  // namespace
+
+double ClimbGeometry::contact_doubt_m(stetro_site::Place place, const ClimbParams & params) const
+{
+  const double gain_m = params.gain_sigma * contact_reading(place);
+  return params.doubt_sigmas * std::hypot(params.offset_sigma_m, gain_m, sensor_sigma_m);
+}
 
 double ClimbGeometry::width_at_m(int step) const
 {
@@ -100,6 +121,7 @@ ClimbGeometry make_geometry(
       robot.contact_reading_m(place) + robot.at(place).bias_m;
   }
   geometry.sensor_minimum_m = robot.range_sensor.min_range_m;
+  geometry.sensor_sigma_m = robot.range_sensor.sigma_m;
   geometry.switch_separation_m = 2.0 * robot.switch_y_m;
   return geometry;
 }
@@ -108,6 +130,7 @@ void check_climbable(const ClimbGeometry & g, const ClimbParams & p, stetro_conf
 {
   check_flight(g, faults);
   check_width(g, p, faults);
+  check_doubt(g, p, faults);
   const double minimum = g.sensor_minimum_m;
   using stetro_site::Place;
   check_threshold(

@@ -156,6 +156,18 @@ bool Situation::stalled() const
          seconds_between(memory.nearest_time, now) > params.stall_s;
 }
 
+bool Situation::in_doubt_and_still(Place place) const
+{
+  return memory.nearest_m <= geometry.contact_doubt_m(place, params) &&
+         seconds_between(memory.nearest_time, now) > params.stall_s;
+}
+
+bool Situation::pushes(Place place) const
+{
+  return in_doubt_and_still(place) &&
+         memory.path.along_m - memory.nearest_along_m >= params.stall_roll_m;
+}
+
 bool Situation::left_contact() const { return seen.contacts && any_closed(seen.contacts->left); }
 
 bool Situation::right_contact() const { return seen.contacts && any_closed(seen.contacts->right); }
@@ -182,6 +194,11 @@ bool Situation::stands(int number) const
   const Block & b = block(number);
   const bool bears = std::isnan(b.load) || b.load >= params.touch_down_load;
   return seen.blocks && !b.moving && bears;
+}
+
+bool Situation::bears(int number) const
+{
+  return stands(number) && !std::isnan(block(number).load);
 }
 
 bool Situation::steering_at(double angle_rad) const

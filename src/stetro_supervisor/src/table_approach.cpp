@@ -44,13 +44,13 @@ MotionCommand turn_left(const Situation & s) { return traverse(0.0, s.params.yaw
 MotionCommand approach(const Situation & s)
 {
   const auto gap = s.front_gap_m();
-  return gap ? roll_towards(s, *gap) : hold();
+  return gap ? roll_towards(s, *gap, Place::kStairFront) : hold();
 }
 
 bool riser_at_block1(const Situation & s)
 {
   const auto gap = s.front_gap_m();
-  return gap && (*gap <= s.params.approach_gap_m || s.stalled());
+  return gap && (*gap <= s.params.approach_gap_m || s.stalled() || s.pushes(Place::kStairFront));
 }
 
 bool heading_lost(const Situation & s)

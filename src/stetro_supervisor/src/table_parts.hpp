@@ -52,23 +52,29 @@ inline MotionCommand turn_square(const Situation & s)
                       : traverse(0.0, HeadingCorrection::turn_rate_rps(s.params, s.heading_rad()));
 }
 
-/// Forward towards something `gap_m` ahead: creeping over the last centimetres.
-inline MotionCommand roll_towards(const Situation & s, double gap_m)
+/// Forward towards something `gap_m` ahead of a sensor: creeping over the last centimetres, from
+/// where it may be met, for all that the sensor can tell.
+inline MotionCommand roll_towards(const Situation & s, double gap_m, Place sensor)
 {
   constexpr double kCreepZone_m = 0.03;
-  return roll(gap_m > kCreepZone_m ? s.params.roll_speed_mps : s.params.creep_speed_mps);
+  const double zone_m = std::max(kCreepZone_m, s.geometry.contact_doubt_m(sensor, s.params));
+  return roll(gap_m > zone_m ? s.params.roll_speed_mps : s.params.creep_speed_mps);
 }
 
 /// A lowered block has met its tread (D3-2, D3-3, D3-7).
 /**
  * It bears load, where load is known, and the range below it says so; or, though told to go on, it
- * has been at rest close above the tread for long, which holds with a biased range. A block known
- * to bear nothing hangs, however long it has been at rest: the others would carry the robot alone.
+ * has been at rest close above the tread for long, which holds with a biased range. Close is
+ * farther where load is known to be borne, for then the range alone disagrees, and by no more than
+ * a sensor may that was never calibrated. A block known to bear nothing hangs, however long it has
+ * been at rest: the others would carry the robot alone.
  */
 inline bool touched_down(const Situation & s, int block, Place below)
 {
   const auto gap = s.gap_m(below);
-  return gap && (*gap <= s.params.touch_down_gap_m || s.stalled()) && s.stands(block);
+  const bool range_alone_disagrees = s.bears(block) && s.in_doubt_and_still(below);
+  const bool near = gap && (*gap <= s.params.touch_down_gap_m || s.stalled());
+  return gap && (near || range_alone_disagrees) && s.stands(block);
 }
 
 /// Every block bears load, where load is known: any one of them may be lifted.

@@ -36,13 +36,23 @@ bool ready_to_climb(const Situation & s) { return is_square(s) && s.pose_settled
 MotionCommand roll_block3(const Situation & s)
 {
   const auto gap = s.gap_m(Place::kBlock3Front);
-  return gap ? roll_towards(s, *gap) : hold();
+  return gap ? roll_towards(s, *gap, Place::kBlock3Front) : hold();
+}
+
+/// The range has been seen to shrink, or block 3 may have stood at the riser from the beginning. A
+/// sensor that is stuck at what it read behind block 2 is no witness of a push.
+bool block3_came_nearer(const Situation & s)
+{
+  const Memory & memory = s.memory;
+  const bool from_afar = memory.farthest_m - memory.nearest_m >= s.params.stall_roll_m;
+  return from_afar || memory.relifts > 0 || memory.rejoins > 0;
 }
 
 bool block3_at_riser(const Situation & s)
 {
   const auto gap = s.gap_m(Place::kBlock3Front);
-  return gap && (*gap <= s.params.block3_gap_m || s.stalled());
+  const bool pushes = s.pushes(Place::kBlock3Front) && block3_came_nearer(s);
+  return gap && (*gap <= s.params.block3_gap_m || s.stalled() || pushes);
 }
 
 bool rolled_too_far(const Situation & s) { return s.along_m() > s.params.max_roll_m; }

@@ -117,6 +117,13 @@ TEST(ClimbGeometry, RefusesARiserHigherThanTheLift)
   EXPECT_NE(what_is_wrong(geometry).find("0.175"), std::string::npos);
 }
 
+TEST(ClimbGeometry, RefusesADoubtThatCouldHideHalfARiser)
+{
+  ClimbGeometry geometry = stairs(3);
+  geometry.riser_m[2] = 0.07;  // 3.6 cm of doubt either way: 7 cm could read as contact
+  EXPECT_NE(what_is_wrong(geometry).find("doubt_sigmas"), std::string::npos);
+}
+
 TEST(ClimbGeometry, RefusesAFlightTooNarrowToStandClearOfBothWalls)  // D3-12
 {
   ClimbGeometry geometry = stairs(3);

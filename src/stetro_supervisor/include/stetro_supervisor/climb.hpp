@@ -82,6 +82,7 @@ private:
   void follow_path(const OdometryPose & odometry);
   void take_ranges(double dt_s);
   void watch(const Situation & s);
+  void watch_gap(std::optional<double> gap_m);
   void watch_driver(const Situation & s);
   const Exit * first_open(const Situation & s, const Row & row) const;
   void enter(const Exit & exit, const Situation & s);

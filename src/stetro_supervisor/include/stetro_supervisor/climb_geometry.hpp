@@ -49,11 +49,17 @@ struct ClimbGeometry
                                                                     0.065, 0.035, 0.035, 0.035};
   double switch_separation_m = 0.16;  ///< between the riser switches [m]
   double sensor_minimum_m = 0.03;     ///< shortest range the sensors resolve [m]
+  double sensor_sigma_m = 0.0021;     ///< noise of one reading at contact [m]
 
   double contact_reading(stetro_site::Place place) const
   {
     return contact_reading_m[stetro_site::index_of(place)];
   }
+
+  /// The gap that a sensor of this place, never calibrated, may still show in contact [m].
+  /** The noise of one reading, the offset and the gain error at the contact reading, added in
+   *  squares, times `contact.doubt_sigmas`. A calibrated sensor shows far less. */
+  double contact_doubt_m(stetro_site::Place place, const ClimbParams & params) const;
 
   int steps() const { return static_cast<int>(riser_m.size()); }
 
@@ -73,7 +79,8 @@ ClimbGeometry make_geometry(
 
 /// Adds a fault for every number that cannot be climbed: no step, a riser within 1 cm of the
 /// stroke, a width that leaves no clearance in the middle (D3-12), a threshold that the recessed
-/// sensor cannot resolve (D2), a creep that is no slower than other speeds.
+/// sensor cannot resolve (D2), a doubt of the ranges that could hide a riser, a creep that is no
+/// slower than other speeds.
 void check_climbable(
   const ClimbGeometry & geometry, const ClimbParams & params, stetro_config::Faults & faults);
 

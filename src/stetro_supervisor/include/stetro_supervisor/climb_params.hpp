@@ -59,6 +59,10 @@ struct ClimbParams
   double touch_down_load = 0.02;
   double stall_zone_m = 0.020;
   double stall_s = 1.0;
+  double stall_roll_m = 0.03;
+  double offset_sigma_m = 0.010;
+  double gain_sigma = 0.03;
+  double doubt_sigmas = 3.5;
   double height_tolerance_m = 0.020;
   // rolling
   double back_off_m = 0.010;
@@ -158,6 +162,18 @@ void visit(ClimbParams & p, Visitor && each)
   each(
     "contact.stall_s", p.stall_s, Within{0.2, 10.0},
     "time without coming nearer that is a stall [s]");
+  each(
+    "contact.stall_roll_m", p.stall_roll_m, Within{0.005, 0.2},
+    "roll by odometry without coming nearer that is pushing against a riser [m]");
+  each(
+    "contact.offset_sigma_m", p.offset_sigma_m, Within{0.0, 0.02},
+    "offset of a range sensor that was never calibrated, standard deviation [m]");
+  each(
+    "contact.gain_sigma", p.gain_sigma, Within{0.0, 0.2},
+    "its gain error, standard deviation [m/m]");
+  each(
+    "contact.doubt_sigmas", p.doubt_sigmas, Within{0.0, 6.0},
+    "gap that such a sensor may still show in contact [standard deviations]");
   each(
     "contact.height_tolerance_m", p.height_tolerance_m, Within{0.002, 0.1},
     "difference of heights taken as equal [m]");

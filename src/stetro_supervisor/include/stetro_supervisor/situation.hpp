@@ -69,6 +69,8 @@ struct Memory
 
   double nearest_m = 0.0;  ///< smallest gap since the state was entered
   Time nearest_time{0};
+  double nearest_along_m = 0.0;      ///< of `path`, when it was that near
+  double farthest_m = 0.0;           ///< largest gap since the state was entered
   std::optional<Time> skewed_since;  ///< exactly one riser switch closed
   std::optional<Time> front_free_since;
   std::optional<Time> pose_sound_since;
@@ -119,7 +121,12 @@ struct Situation
   /// The middle front sensor's range along x [m], when something is in reach.
   /** At a wall the outer two have the wall in their cone and read short; this one never has. */
   std::optional<double> front_middle_m() const;
-  bool stalled() const;  ///< the gap has stopped shrinking
+  bool stalled() const;  ///< close by, the gap has stopped shrinking
+
+  // The same where only doubt of the sensor keeps the gap from being none: `contact_doubt_m`. It
+  // takes a second witness, for the doubt is wide.
+  bool in_doubt_and_still(Place place) const;  ///< the gap may be none, and has stopped shrinking
+  bool pushes(Place place) const;  ///< and the wheels have turned several centimetres since
 
   // switches
   bool left_contact() const;  ///< any of the three left bumpers (D3-13)
@@ -132,6 +139,7 @@ struct Situation
   double height_m(int number) const;
   bool lifted(int number) const;  ///< at its upper lock and at rest
   bool stands(int number) const;  ///< at rest and bearing load, where load is known
+  bool bears(int number) const;   ///< at rest and known to bear load
   bool steering_at(double angle_rad) const;
 };
 

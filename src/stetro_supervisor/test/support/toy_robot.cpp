@@ -104,9 +104,12 @@ void ToyRobot::roll(double vx, double dt_s)
     odometry_.yaw_rad -= pivots ? std::copysign(turn, heading_rad) : 0.0;
     return;
   }
-  if (!blocked(dx)) {
+  const bool free = !blocked(dx);
+  if (free) {
     x_m += dx;
     y_m += dy;
+  }
+  if (free || spins) {
     odometry_.x_m += vx * dt_s * std::cos(odometry_.yaw_rad);
     odometry_.y_m += vx * dt_s * std::sin(odometry_.yaw_rad);
   }

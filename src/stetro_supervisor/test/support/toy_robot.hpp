@@ -50,6 +50,7 @@ public:
   int counted_step = 0;
   bool counts = true;  ///< the localizer counts steps
   bool pivots = true;
+  bool spins = false;  ///< wheels turn on against a riser, and odometry with them
   double turn_disturbance_rps = 0.0;
   std::uint64_t driver_instance = 7;
   std::function<void(Observation &)> meddle;  ///< changes what is seen, last
