@@ -77,7 +77,7 @@ void add_options(CLI::App & app, DemoOptions & options)
     ->check(CLI::Range(0.1, 1000.0))
     ->capture_default_str();
   app.add_option("--estimator", options.estimator, "how the localizer estimates")
-    ->check(CLI::IsMember({"paper"}))
+    ->check(CLI::IsMember({"fused", "paper"}))
     ->capture_default_str();
   app.add_option("--site", options.site, "site file: what the software believes")
     ->check(CLI::ExistingFile)

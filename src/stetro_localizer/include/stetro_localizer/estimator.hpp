@@ -40,8 +40,9 @@ constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 /// Where the robot is on its flight. Numbers that are not known are NaN.
 struct StairEstimate
 {
-  Nanoseconds stamp{0};     ///< time it is for; never runs backwards
-  std::optional<int> step;  ///< tread block 2 stands on, 0 the floor below
+  Nanoseconds stamp{0};                ///< time it is for; never runs backwards
+  std::optional<int> step;             ///< tread block 2 stands on, 0 the floor below
+  double step_probability = kUnknown;  ///< of `step`, if the method knows one
   stetro_site::Pose pose{kUnknown, kUnknown, kUnknown, kUnknown};        ///< in the flight frame
   stetro_site::Covariance covariance = stetro_site::Covariance::Zero();  ///< of the pose
   double tread_x_m = kUnknown;      ///< from the tread's own riser [m]

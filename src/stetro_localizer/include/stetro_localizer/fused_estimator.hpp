@@ -80,7 +80,7 @@ private:
   StairEstimate estimate_;
   std::array<Nanoseconds, stetro_site::kPlaces.size()> last_reading_{};
   bool silent_ = false;
-  std::uint32_t step_reasons_ = kNotInitialised;
+  std::uint32_t begin_reasons_ = 0;  // what the state file left to say
   std::uint32_t resets_at_start_ = 0;
   std::uint64_t told_ = 0;  // times that someone told the pose
   double risk_quantile_;    // standard deviations that an error exceeds at the integrity risk

@@ -176,6 +176,7 @@ void FusedEstimator::refresh_position()
   const FusedCore & core = history_.core();
   const ErrorStateFilter & filter = core.filter;
   estimate_.step = core.located_on;
+  estimate_.step_probability = core.steps.probability();
   estimate_.pose = {kUnknown, filter[kStateY], kUnknown, filter[kStateYaw]};
   estimate_.tread_y_m = filter[kStateY];
   estimate_.tread_x_m = estimate_.riser_ahead_m = kUnknown;

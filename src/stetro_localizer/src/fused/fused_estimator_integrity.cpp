@@ -49,11 +49,11 @@ void FusedEstimator::refresh_integrity()
 {
   const FusedCore & core = history_.core();
   const bool known = core.located_on.has_value();
-  std::uint32_t reasons = sensor_reasons();
+  std::uint32_t reasons = sensor_reasons() | core.steps.reasons();
   if (known) {
     reasons |= pose_reasons();
   } else {
-    reasons |= core.steps.awaiting_blocks() ? std::uint32_t{kNotInitialised} : step_reasons_;
+    reasons |= core.steps.awaiting_blocks() ? std::uint32_t{kNotInitialised} : begin_reasons_;
   }
   estimate_.reasons = reasons;
   estimate_.integrity = integrity_of(reasons, known);

@@ -40,7 +40,7 @@ void FusedEstimator::begin(const StateReading & stored)
       }
       break;
     case StateReading::Kind::kDamaged:
-      step_reasons_ = kNotInitialised | kCalibrationDamaged;
+      begin_reasons_ = kNotInitialised | kCalibrationDamaged;
       break;
     case StateReading::Kind::kFound: {
       const ScalarEstimate & bias = stored.state.calibration.gyro_bias;

@@ -16,7 +16,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include "stetro_localizer/fused/cone.hpp"
 #include "stetro_localizer/fused/motion_aiding.hpp"
@@ -28,15 +27,6 @@ namespace
 {
 
 double squared(double value) { return value * value; }
-
-std::vector<double> risers_of(const stetro_site::Flight & flight)
-{
-  std::vector<double> risers_m;
-  for (int i = 1; i <= flight.steps(); ++i) {
-    risers_m.push_back(flight.riser_m(i));
-  }
-  return risers_m;
-}
 
 SideRangeAiding side_aiding(Side side, const stetro_site::RobotGeometry & robot)
 {
@@ -59,6 +49,7 @@ FusedModel::FusedModel(
 : params_(params),
   robot_(robot),
   flight_(flight),
+  step_model_(flight, robot, params.fused.steps),
   gate_(squared(two_sided_quantile(params.fused.gate_false_alarm))),
   cone_excess_(cone_excess(robot.range_sensor.cone_rad)),
   sides_{side_aiding(Side::kLeft, robot), side_aiding(Side::kRight, robot)},
@@ -68,9 +59,7 @@ FusedModel::FusedModel(
 
 FusedCore FusedModel::begin() const
 {
-  FusedCore core(
-    StepCounter(risers_of(flight_), robot_.contact_reading_m(Place::kBlock2Down), params_.steps),
-    params_.standstill);
+  FusedCore core(step_model_, params_.standstill);
   const FusedPriors & prior = params_.fused.priors;
   const double width_m = flight_.width_m(0.0);
   core.filter.set(kStateY, width_m / 2.0, squared(width_m) / 12.0);
@@ -111,13 +100,16 @@ void FusedModel::advance(FusedCore & core, Nanoseconds time) const
   }
   const double rate_radps = seen ? core.rate_radps : core.filter[kStateGyroBias];
   const double dt_s = std::min(seconds(time - core.time), params_.silence_s);
+  const double x_m = core.filter[kStateX];
   core.filter.predict(dt_s, rate_radps, noise, core.rolling);
+  core.travel_m += core.filter[kStateX] - x_m;
   core.time = time;
 }
 
 void FusedModel::take_one(FusedCore & core, const OdometrySample & sample) const
 {
   core.standstill.note(sample);
+  core.wheels_time = sample.stamp;
   core.rolling = std::hypot(sample.vx_mps, sample.vy_mps) > 0.0;
   const auto any = [](const std::array<Switch, 3> & bumpers) {
     return std::any_of(

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "stetro_localizer/fused/bumper_aiding.hpp"
 #include "stetro_localizer/fused/fused_model.hpp"
@@ -130,16 +131,63 @@ void FusedModel::take_one(FusedCore & core, const BlockSample & sample) const
   advance(core, sample.stamp);
   core.blocks_moving = std::any_of(
     sample.blocks.begin(), sample.blocks.end(), [](const auto & block) { return block.moving; });
-  const bool young = core.block2_down.status == RangeStatus::kValid &&
-                     seconds(sample.stamp - core.block2_down.stamp) <= params_.max_sample_age_s;
-  const auto down_m = young ? std::optional<double>(core.block2_down.range_m) : std::nullopt;
-  take_step_event(core, core.steps.add(sample, down_m));
+  const StepEvent event = core.steps.add(sample, step_evidence(core, sample.stamp));
+  core.landmarks += event == StepEvent::kNone ? 0 : 1;
+  follow_step(core, core.steps.most_probable());
 }
 
-void FusedModel::take_step_event(FusedCore & core, StepEvent event) const
+StepEvidence FusedModel::step_evidence(const FusedCore & core, Nanoseconds time) const
 {
-  core.landmarks += event == StepEvent::kNone ? 0 : 1;
-  const auto step = core.steps.step();
+  const auto young_m = [&](Place place) {
+    const RangeReading & reading = core.last_ranges[place];
+    const bool counts = reading.status == RangeStatus::kValid &&
+                        seconds(time - reading.stamp) <= params_.max_sample_age_s;
+    return counts ? std::optional<double>(reading.range_m) : std::nullopt;
+  };
+  StepEvidence evidence;
+  evidence.block1_down_m = young_m(Place::kBlock1Down);
+  evidence.block2_down_m = young_m(Place::kBlock2Down);
+  evidence.block3_front_m = young_m(Place::kBlock3Front);
+  evidence.front_m = front_m(core, time);
+  if (
+    core.wheels_time != Nanoseconds{0} &&
+    seconds(time - core.wheels_time) <= params_.max_sample_age_s) {
+    evidence.travel_m = core.travel_m;
+  }
+  evidence.riser_left = core.contacts.riser_left;
+  evidence.riser_right = core.contacts.riser_right;
+  return evidence;
+}
+
+// From base_link to the riser that the front pair sees; infinite if both look into the free.
+std::optional<double> FusedModel::front_m(const FusedCore & core, Nanoseconds time) const
+{
+  double sum_m = 0.0;
+  int free = 0;
+  for (const Place place : {Place::kFrontLeft, Place::kFrontRight}) {
+    const RangeReading & reading = core.last_ranges[place];
+    if (seconds(time - reading.stamp) > params_.max_sample_age_s) {
+      return std::nullopt;
+    }
+    if (reading.status == RangeStatus::kNoTarget) {
+      ++free;
+    } else if (reading.status == RangeStatus::kValid) {
+      sum_m += reading.range_m + robot_.at(place).x_m;
+    } else {
+      return std::nullopt;
+    }
+  }
+  if (free > 0) {
+    return free == 2 ? std::optional<double>(std::numeric_limits<double>::infinity())
+                     : std::nullopt;
+  }
+  return sum_m / 2.0 * std::cos(core.filter[kStateYaw]);
+}
+
+// The filter of the pose goes on with the most probable step; whether it may be believed is said
+// by integrity, not by standing still.
+void FusedModel::follow_step(FusedCore & core, std::optional<int> step) const
+{
   if (!step) {
     core.located_on.reset();
     return;
@@ -151,13 +199,13 @@ void FusedModel::take_step_event(FusedCore & core, StepEvent event) const
   ErrorStateFilter & filter = core.filter;
   const double tread_variance = squared(prior.tread_m);
   const double riser_variance = squared(prior.riser_direction_rad);
-  if (event == StepEvent::kClimbed && core.located_on == *step - 1) {
+  if (core.located_on == *step - 1) {
     core.edge_x_m += filter[kStateTreadAhead];
     core.edge_variance_m2 += filter.variance(kStateTreadAhead);
     core.rise_m += flight_.riser_m(*step);
     core.rise_variance_m2 += squared(prior.riser_m);
     filter.climb(tread_m(*step + 1), tread_variance, riser_variance);
-  } else if (event == StepEvent::kUndone && core.located_on == *step + 1) {
+  } else if (core.located_on == *step + 1) {
     core.edge_x_m -= filter[kStateTreadHere];
     core.rise_m -= flight_.riser_m(*step + 1);
     filter.descend(tread_m(*step), tread_variance, riser_variance);

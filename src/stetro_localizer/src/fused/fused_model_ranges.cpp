@@ -49,8 +49,10 @@ double FusedModel::range_variance_m2(double range_m) const
 void FusedModel::take_one(FusedCore & core, const RangeSample & sample) const
 {
   advance(core, sample.stamp);
-  if (sample[Place::kBlock2Down].status != RangeStatus::kAbsent) {
-    core.block2_down = sample[Place::kBlock2Down];
+  for (const Place place : stetro_site::kPlaces) {
+    if (sample[place].status != RangeStatus::kAbsent) {
+      core.last_ranges[place] = sample[place];
+    }
   }
   for (const auto & [ranger, place] : kWatched) {
     core.monitors[static_cast<std::size_t>(ranger)].note(sample[place]);

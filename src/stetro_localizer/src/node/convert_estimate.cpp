@@ -124,7 +124,7 @@ void fill(
   message.segment_kind(wire::SEGMENT_FLIGHT);
   message.step_index(estimate.step.value_or(wire::STEP_UNKNOWN));
   message.step_count(flight.steps());
-  message.step_probability(kUnknown);  // this method counts, and knows no probability
+  message.step_probability(estimate.step_probability);
   fill_pose(message.pose(), estimate.pose, estimate.covariance);
   message.tread_x(estimate.tread_x_m);
   message.tread_y(estimate.tread_y_m);

@@ -17,7 +17,6 @@
 
 #include <array>
 #include <optional>
-#include <utility>
 #include <variant>
 
 #include "stetro_localizer/contact_closure.hpp"
@@ -27,7 +26,7 @@
 #include "stetro_localizer/outcome.hpp"
 #include "stetro_localizer/samples.hpp"
 #include "stetro_localizer/standstill.hpp"
-#include "stetro_localizer/step_counter.hpp"
+#include "stetro_localizer/step_filter.hpp"
 
 namespace stetro_localizer
 {
@@ -44,13 +43,13 @@ using Sample = std::variant<OdometrySample, GyroSample, ContactSample, BlockSamp
 /** Copying it keeps the past: a late sample is taken by going back to the copy before its time. */
 struct FusedCore
 {
-  FusedCore(StepCounter step_counter, const StandstillParams & standing)
-  : steps(std::move(step_counter)), standstill(standing)
+  FusedCore(const StepModel & step_model, const StandstillParams & standing)
+  : steps(step_model), standstill(standing)
   {
   }
 
   ErrorStateFilter filter;
-  StepCounter steps;
+  StepFilter steps;          // refers to the model's StepModel
   Nanoseconds time{0};       ///< the filter's state is for this; zero before the first sample
   Nanoseconds gyro_time{0};  ///< of the last gyroscope sample
   double rate_radps = 0.0;   ///< it
@@ -59,7 +58,9 @@ struct FusedCore
   bool blocks_moving = false;
   ContactSample contacts;                                 ///< the last one
   std::array<std::array<Nanoseconds, 4>, 2> closed_at{};  ///< bumpers and switch, left and right
-  RangeReading block2_down;  ///< the last one; it counts while it is young
+  RangeSample last_ranges;     ///< the last reading of each place; it counts while it is young
+  Nanoseconds wheels_time{0};  ///< of the last wheel speeds
+  double travel_m = 0.0;       ///< way along x since the beginning [m]
   ContactClosure closure{0.0, 0.0};
   SourceReports reports;
   std::array<Nanoseconds, kRangerCount> used_at{};  ///< when each ranger last corrected

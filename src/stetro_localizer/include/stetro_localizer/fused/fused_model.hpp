@@ -21,6 +21,7 @@
 #include "stetro_localizer/fused/fused_core.hpp"
 #include "stetro_localizer/fused/side_range_aiding.hpp"
 #include "stetro_localizer/params.hpp"
+#include "stetro_localizer/step_model.hpp"
 #include "stetro_site/flight.hpp"
 #include "stetro_site/robot_geometry.hpp"
 
@@ -39,6 +40,8 @@ public:
   FusedModel(
     const LocalizerParams & params, const stetro_site::RobotGeometry & robot,
     const stetro_site::Flight & flight);
+  FusedModel(const FusedModel &) = delete;  // cores refer to its step model
+  FusedModel & operator=(const FusedModel &) = delete;
 
   /// A core that knows what the files say and has seen nothing.
   [[nodiscard]] FusedCore begin() const;
@@ -67,7 +70,9 @@ private:
   void note_closure(FusedCore & core, bool left, double gap_m) const;
   void use_contact(
     FusedCore & core, Source source, const Expectation & gap, int axis, double variance) const;
-  void take_step_event(FusedCore & core, StepEvent event) const;
+  [[nodiscard]] StepEvidence step_evidence(const FusedCore & core, Nanoseconds time) const;
+  [[nodiscard]] std::optional<double> front_m(const FusedCore & core, Nanoseconds time) const;
+  void follow_step(FusedCore & core, std::optional<int> step) const;
   void note_slip(FusedCore & core, int axis, double normalised) const;
   Outcome use(
     FusedCore & core, Source source, const Expectation & expectation, double measured,
@@ -82,6 +87,7 @@ private:
   LocalizerParams params_;
   stetro_site::RobotGeometry robot_;
   stetro_site::Flight flight_;
+  StepModel step_model_;
   double gate_;  // nis that a sound measurement exceeds as rarely as the parameter says
   double cone_excess_;
   std::array<SideRangeAiding, 2> sides_;

@@ -20,6 +20,7 @@
 #include "stetro_config/field.hpp"
 #include "stetro_config/rule.hpp"
 #include "stetro_localizer/fused/error_state_filter.hpp"
+#include "stetro_localizer/step_model.hpp"
 
 namespace stetro_localizer
 {
@@ -69,6 +70,7 @@ struct FusedParams
   FusedPriors priors;
   FusedNoise noise;
   FusedAlerts alerts;
+  StepFilterParams steps;
   double gate_false_alarm = 1e-4;  ///< share of sound measurements that a gate refuses [-]
   double window_s = 0.4;           ///< late samples are applied at their time within this [s]
   double contact_gate_m = 0.05;    ///< a contact that surprises by more is not believed [m]
@@ -111,6 +113,7 @@ void visit(FusedParams & p, Visitor && each)
   each("noise.bumper_m", noise.bumper_m, Within{1e-4, 0.05}, "where a bumper closes [m]");
   each("noise.riser_switch_m", noise.riser_switch_m, Within{1e-5, 0.05}, "where one closes [m]");
   each("noise.clipped_share", noise.clipped_share, Within{0.0, 1.0}, "cone beyond the riser [-]");
+  visit_step_filter(p.steps, stetro_config::Group("steps", each));
   FusedAlerts & alert = p.alerts;
   each("alerts.along_m", alert.along_m, Within{0.001, 1.0}, "protection level along [m]");
   each("alerts.across_m", alert.across_m, Within{0.001, 1.0}, "protection level across [m]");
