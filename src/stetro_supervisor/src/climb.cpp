@@ -252,6 +252,9 @@ MotionCommand Climb::tick(Time now, const Observation & seen)
     memory_.note = std::string("no exit of '") + to_string(transition_->from) + "' within " +
                    std::to_string(limit_s) + " s";
   }
+  if (state_ == State::kWaitPose && !s.pose_sound()) {
+    memory_.note = s.pose_doubt();  // what is waited for may change
+  }
   memory_.asked = Asked::kNothing;
   return row_of(state_).command(situation());
 }

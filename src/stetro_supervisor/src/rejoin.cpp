@@ -13,6 +13,7 @@
 // limitations under the License.
 #include "stetro_supervisor/rejoin.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -143,7 +144,10 @@ Posture posture_of(const Situation & s)
   }
   if (rear < -tolerance) {
     const auto below = s.gap_m(Place::kBlock2Down);
-    const bool down = below && *below <= s.params.stall_zone_m;
+    const double doubt_m = s.geometry.contact_doubt_m(Place::kBlock2Down, s.params);
+    const double zone_m =
+      s.bears(2) ? std::max(s.params.stall_zone_m, doubt_m) : s.params.stall_zone_m;
+    const bool down = below && *below <= zone_m;
     return close_to(front, 0.0, tolerance) && down ? Posture::kStraddle : Posture::kBlock2Raised;
   }
   if (close_to(front, 0.0, tolerance)) {

@@ -18,6 +18,8 @@
 #include <initializer_list>
 #include <limits>
 
+#include "stetro_supervisor/pose_reason.hpp"
+
 namespace stetro_supervisor
 {
 namespace
@@ -25,7 +27,8 @@ namespace
 
 /// Reasons of DEGRADED, as on the wire, that the next wall or riser takes away while standing still
 /// never would: no side range, no front reference, sides that do not add up, slip.
-constexpr std::uint32_t kBearableReasons = 1u | 2u | 64u | 8192u;
+constexpr std::uint32_t kBearableReasons =
+  kNoSideRange | kNoFrontReference | kClosureViolated | kSlip;
 
 bool closed(const Contact & contact)
 {
@@ -65,7 +68,7 @@ std::string Situation::pose_doubt() const
            (degraded ? "DEGRADED"
             : lost   ? "LOST"
                      : "UNKNOWN") +
-           ", reasons " + std::to_string(pose->reasons) + ", accepted: OK";
+           ": " + reasons_in_words(pose->reasons) + "; accepted: OK";
   }
   return unusable_because();
 }

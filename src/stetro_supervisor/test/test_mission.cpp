@@ -16,6 +16,7 @@
 #include <string>
 
 #include "stetro_supervisor/mission.hpp"
+#include "stetro_supervisor/pose_reason.hpp"
 #include "support/toy_robot.hpp"
 
 namespace stetro_supervisor
@@ -157,7 +158,7 @@ TEST_F(MissionTest, FinishesASweepOnADegradedPoseButStartsNoClimb)
   ASSERT_TRUE(run_to_state(climb, robot, State::kSweepLeft)) << where(climb, robot);
   robot.meddle = [](Observation & o) {
     o.pose->integrity = Integrity::kDegraded;
-    o.pose->reasons = 64;  // the sides do not add up: the next wall puts that right
+    o.pose->reasons = kClosureViolated;  // the sides do not add up: the next wall puts that right
   };
   ASSERT_TRUE(run_to_state(climb, robot, State::kSquare, 100.0)) << where(climb, robot);
   ASSERT_TRUE(run_to_state(climb, robot, State::kWaitPose, 1.0)) << where(climb, robot);
@@ -171,7 +172,7 @@ TEST_F(MissionTest, AStepInDoubtStopsAtOnce)
   ASSERT_TRUE(run_to_state(climb, robot, State::kSweepLeft)) << where(climb, robot);
   robot.meddle = [](Observation & o) {
     o.pose->integrity = Integrity::kDegraded;
-    o.pose->reasons = 64 | 4;
+    o.pose->reasons = kClosureViolated | kStepUncertain;
   };
   EXPECT_FALSE(climb.tick(robot.now, robot.look()).moves());
   EXPECT_EQ(climb.state(), State::kWaitPose);

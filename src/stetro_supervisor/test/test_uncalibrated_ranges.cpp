@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "stetro_supervisor/mission.hpp"
+#include "stetro_supervisor/rejoin.hpp"
 #include "support/toy_robot.hpp"
 
 namespace stetro_supervisor
@@ -144,6 +145,17 @@ TEST_F(UncalibratedRanges, ABlockThatBearsFarAboveTheTreadBelowItsSensorIsNotDow
   run_to(State::kLowerBlock1, 0);
   reads_long({Place::kBlock1Down}, kTooLong_m);  // its edge hangs on something
   expect_fault(Fault::kTouchDownUnconfirmed);
+}
+
+TEST_F(UncalibratedRanges, ABlock2ThatBearsIsFoundDownAgainAfterAStop)
+{
+  run_to(State::kConfirmStep, 0);
+  reads_long({Place::kBlock2Down}, kLong_m);
+  for (int i = 0; i < 3; ++i) {
+    climb.tick(robot.now, robot.look());
+    robot.act(hold(), 0.05);
+  }
+  EXPECT_EQ(posture_of(climb.situation()), Posture::kStraddle);
 }
 
 }  // namespace stetro_supervisor

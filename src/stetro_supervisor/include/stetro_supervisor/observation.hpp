@@ -118,7 +118,7 @@ struct StairPose
   double y_m = kNan;          ///< distance of base_link from the right wall [m]
   double heading_rad = kNan;  ///< psi, CCW positive, 0 faces the risers (D1-6)
   Integrity integrity = Integrity::kUnknown;
-  std::uint32_t reasons = 0;  ///< why integrity is not OK, bits as on the wire
+  std::uint32_t reasons = 0;  ///< why integrity is not OK: a sum of PoseReason
 };
 
 /// What the driver said to our last command.

@@ -17,6 +17,7 @@
 #include <limits>
 
 #include "stetro_msgs/bounds.hpp"
+#include "stetro_supervisor/pose_reason.hpp"
 
 namespace stetro_supervisor
 {
@@ -24,6 +25,22 @@ namespace
 {
 
 constexpr std::int64_t kNanosPerSecond = 1'000'000'000;
+
+namespace pose_wire = stetro_msgs::msg::StairPose_Constants;
+static_assert(kNoSideRange == pose_wire::REASON_NO_SIDE_RANGE);
+static_assert(kNoFrontReference == pose_wire::REASON_NO_FRONT_REFERENCE);
+static_assert(kStepUncertain == pose_wire::REASON_STEP_UNCERTAIN);
+static_assert(kNotInitialised == pose_wire::REASON_NOT_INITIALISED);
+static_assert(kInputSilent == pose_wire::REASON_INPUT_SILENT);
+static_assert(kCalibrationDamaged == pose_wire::REASON_CALIBRATION_DAMAGED);
+static_assert(kClosureViolated == pose_wire::REASON_CLOSURE_VIOLATED);
+static_assert(kSensorStuck == pose_wire::REASON_SENSOR_STUCK);
+static_assert(kSensorDead == pose_wire::REASON_SENSOR_DEAD);
+static_assert(kProfileDisagrees == pose_wire::REASON_PROFILE_DISAGREES);
+static_assert(kProtectionExceeded == pose_wire::REASON_PROTECTION_EXCEEDED);
+static_assert(kClockJump == pose_wire::REASON_CLOCK_JUMP);
+static_assert(kContactConflict == pose_wire::REASON_CONTACT_CONFLICT);
+static_assert(kSlip == pose_wire::REASON_SLIP);
 
 /// NaN means unknown on the wire; infinity means nothing there and is refused.
 bool finite_or_unknown(double value) { return !std::isinf(value); }
