@@ -158,7 +158,7 @@ std::string Mission::refuse_clean(const MissionRequest & request)
   if (emergency_stop_closed(s)) {
     return "the emergency stop is closed or unknown";
   }
-  if (!s.pose_sound()) {
+  if (!s.pose_lets_approach()) {
     return "no climb without a sound pose: " + s.pose_doubt();
   }
   if (s.seen.pose->step >= s.geometry.steps()) {

@@ -159,7 +159,7 @@ Posture posture_of(const Situation & s)
 
 RejoinChoice choose_entry(const Situation & s)
 {
-  if (!s.pose_sound()) {
+  if (!s.pose_lets_approach()) {
     return {std::nullopt, s.pose_doubt()};
   }
   if (s.driver_silent()) {
@@ -169,7 +169,9 @@ RejoinChoice choose_entry(const Situation & s)
   const Phase phase = phase_of(s.memory.record.state);
   for (const EntryRow & row : entry_table()) {
     if (row.posture == posture && row.phase == phase && step_fits(s, row.step)) {
-      return {refine(s, row.entry), ""};
+      const State entry = refine(s, row.entry);
+      const bool may = s.pose_sound() || entry == State::kSteerToFind;
+      return may ? RejoinChoice{entry, ""} : RejoinChoice{std::nullopt, s.pose_doubt()};
     }
   }
   return {std::nullopt, contradiction(s, posture)};

@@ -58,6 +58,13 @@ bool Situation::pose_usable() const
   return bearable ? unusable_because().empty() : pose_sound();
 }
 
+bool Situation::pose_lets_approach() const
+{
+  const bool far_off = pose_usable() && seen.pose->step == 0 &&
+                       seen.pose->reasons == static_cast<std::uint32_t>(kNoFrontReference);
+  return pose_sound() || far_off;
+}
+
 std::string Situation::pose_doubt() const
 {
   const auto & pose = seen.pose;

@@ -53,6 +53,9 @@ bool riser_at_block1(const Situation & s)
   return gap && (*gap <= s.params.approach_gap_m || s.stalled() || s.pushes(Place::kStairFront));
 }
 
+/// No climb starts on a pose that is not sound, and here it should have become so.
+bool not_sound_at_block1(const Situation & s) { return riser_at_block1(s) && !s.pose_sound(); }
+
 bool heading_lost(const Situation & s)
 {
   return std::abs(s.heading_rad()) > s.params.alignment_limit_rad;
@@ -104,7 +107,8 @@ std::vector<Row> approach_rows()
     approach,
     &ClimbParams::approach_limit_s,
     Fault::kApproachTimeout,
-    {{"riser at block 1", riser_at_block1, State::kLiftBlock1, Fault::kNone, forget_roll},
+    {{"riser at block 1, the pose not sound", not_sound_at_block1, State::kWaitPose},
+     {"riser at block 1", riser_at_block1, State::kLiftBlock1, Fault::kNone, forget_roll},
      {"heading lost", heading_lost, State::kSteerToFind}}};
   row.gap_m = [](const Situation & s) { return s.front_gap_m(); };
   rows.push_back(row);

@@ -152,6 +152,40 @@ TEST_F(MissionTest, RefusesToClimbWithoutAnOkPoseAndSaysWhy)
   EXPECT_FALSE(climb.tick(robot.now, robot.look()).moves());
 }
 
+TEST_F(MissionTest, ApproachesFromAfarWithoutAFrontReferenceButLiftsNothingWithoutOne)  // D3-9
+{
+  robot.meddle = [](Observation & o) {
+    o.pose->integrity = Integrity::kDegraded;
+    o.pose->reasons = kNoFrontReference;
+  };
+  start();
+  ASSERT_TRUE(run_to_state(climb, robot, State::kApproach, 60.0)) << where(climb, robot);
+  ASSERT_TRUE(run_to_state(climb, robot, State::kWaitPose, 60.0)) << where(climb, robot);
+  EXPECT_NEAR(robot.z_m[0], 0.0, 1e-9);
+  EXPECT_NE(mission.status().detail.find("no front reference"), std::string::npos);
+  robot.meddle = nullptr;
+  ASSERT_TRUE(run_to_state(climb, robot, State::kLiftBlock1, 60.0)) << where(climb, robot);
+}
+
+TEST_F(MissionTest, RefusesAStartOnATreadOrInMoreDoubtThanAFarRiserMakes)
+{
+  std::uint32_t reasons = kNoFrontReference | kNoSideRange;
+  robot.meddle = [&reasons](Observation & o) {
+    o.pose->integrity = Integrity::kDegraded;
+    o.pose->reasons = reasons;
+  };
+  tick();
+  EXPECT_FALSE(ask(RequestKind::kCleanFlight, "flight").accepted);
+  reasons = kNoFrontReference;
+  robot.x_m = 0.32 - 0.085;
+  robot.z_m = {0.28, 0.14, 0.14};
+  robot.counted_step = 1;
+  tick();
+  const auto answer = ask(RequestKind::kCleanFlight, "flight");
+  EXPECT_FALSE(answer.accepted);
+  EXPECT_NE(answer.reason.find("no front reference"), std::string::npos) << answer.reason;
+}
+
 TEST_F(MissionTest, FinishesASweepOnADegradedPoseButStartsNoClimb)
 {
   start();

@@ -166,8 +166,8 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(TransitionTable, HasNoDeadEndAndNoStateThatCannotBeReached)
 {
-  // These three are entered by what all states share; CommonExits looks at that.
-  const std::set<State> asides{State::kWaitPose, State::kPaused, State::kAborted};
+  // These two are entered by what all states share; CommonExits looks at that.
+  const std::set<State> asides{State::kPaused, State::kAborted};
   const auto from_idle = reachable_from(State::kIdle);
   for (const Row & row : transition_table()) {
     EXPECT_NE(from_idle.count(row.state), asides.count(row.state)) << to_string(row.state);

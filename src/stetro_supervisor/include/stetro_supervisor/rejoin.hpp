@@ -70,7 +70,8 @@ struct RejoinChoice
  *   Stride         Following   p = k > 0     LowerBlock3
  *
  * Everything else contradicts itself and is refused: the robot never goes on with a wrong step.
- * "New" is a mission that has not moved yet.
+ * "New" is a mission that has not moved yet. A pose that is not sound is refused, but for the
+ * approach from afar: see `Situation::pose_lets_approach`.
  */
 RejoinChoice choose_entry(const Situation & situation);
 

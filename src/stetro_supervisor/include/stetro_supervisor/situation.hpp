@@ -104,10 +104,14 @@ struct Situation
   double turned_rad() const { return memory.path.turned_rad - memory.mark.turned_rad; }
 
   // the localizer
-  bool pose_sound() const;         ///< fresh, on this flight, integrity OK, finite
-  bool pose_usable() const;        ///< the same, or DEGRADED by a reason that work under way bears
-  bool pose_settled() const;       ///< sound for long enough
-  std::string pose_doubt() const;  ///< why it is not sound, in words
+  bool pose_sound() const;    ///< fresh, on this flight, integrity OK, finite
+  bool pose_usable() const;   ///< the same, or DEGRADED by a reason that work under way bears
+  bool pose_settled() const;  ///< sound for long enough
+
+  /// Sound, or on the floor and DEGRADED by nothing but a riser that is too far away to tell.
+  /** From there only the approach mends that (D3-9); no block is lifted for it. */
+  bool pose_lets_approach() const;
+  std::string pose_doubt() const;        ///< why it is not sound, in words
   std::string unusable_because() const;  ///< what is wrong beside its integrity, in words
   double heading_rad() const;            ///< psi, 0 when the pose is not usable [rad]
 

@@ -39,6 +39,7 @@ namespace stetro_supervisor
  *   AlignToStairs   turn                   --(square)--> SteerToApproach
  *   SteerToApproach wheels along           --> Approach
  *   Approach        forward                --(riser at block 1)--> LiftBlock1
+ *                                          --(the same, pose not sound)--> WaitPose
  *                                          --(heading lost)--> SteerToFind
  *   block 2 stands on k: blocks 3 and 1 follow; from the floor (k = 0) block 1 only
  *   LiftBlock3      --> LiftBlock1 --> SteerToRiser   wheels along  --> RollToRiser
