@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "stetro_localizer/fused/history.hpp"
+#include "support/stair_robot.hpp"
 
 namespace stetro_localizer
 {
@@ -28,15 +29,6 @@ namespace
 using std::chrono::milliseconds;
 
 constexpr Nanoseconds kStart = std::chrono::seconds(1000);
-
-stetro_site::Flight flight()
-{
-  stetro_site::FlightSpec spec;
-  spec.id = "stairs";
-  spec.steps = stetro_site::equal_steps(16, 0.14, 0.32);
-  spec.width_foot_m = spec.width_top_m = 2.05;
-  return stetro_site::Flight(spec);
-}
 
 RangeReading reading(Nanoseconds stamp, double range_m)
 {
@@ -90,7 +82,7 @@ std::vector<Sample> a_sweep()
 class HistoryTest : public ::testing::Test
 {
 protected:
-  HistoryTest() : model_(LocalizerParams{}, stetro_site::RobotGeometry{}, flight()) {}
+  HistoryTest() : model_(LocalizerParams{}, stetro_site::RobotGeometry{}, papers_flight()) {}
 
   History history(Nanoseconds window = milliseconds(400))
   {

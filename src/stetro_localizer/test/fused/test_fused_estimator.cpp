@@ -1,0 +1,245 @@
+// Copyright 2026 The sTetro Authors
+//
+// Licensed under the Apache License, Version 2.0 (the "License");
+// you may not use this file except in compliance with the License.
+// You may obtain a copy of the License at
+//
+//     http://www.apache.org/licenses/LICENSE-2.0
+//
+// Unless required by applicable law or agreed to in writing, software
+// distributed under the License is distributed on an "AS IS" BASIS,
+// WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+// See the License for the specific language governing permissions and
+// limitations under the License.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <new>
+#include <string>
+
+#include "stetro_localizer/fused_estimator.hpp"
+#include "stetro_localizer/stored_state.hpp"
+#include "support/stair_robot.hpp"
+
+namespace
+{
+
+std::size_t allocations = 0;
+
+}  // namespace
+
+void * operator new(std::size_t size)
+{
+  ++allocations;
+  if (void * memory = std::malloc(size)) {
+    return memory;
+  }
+  throw std::bad_alloc();
+}
+void operator delete(void * memory) noexcept { std::free(memory); }
+void operator delete(void * memory, std::size_t) noexcept { std::free(memory); }
+
+namespace stetro_localizer
+{
+namespace
+{
+
+using std::chrono::milliseconds;
+
+LocalizerParams params_with(int initial_step)
+{
+  LocalizerParams params;
+  params.estimator = "fused";
+  params.initial_step = initial_step;
+  return params;
+}
+
+// Sensors as they leave the shelf: offsets of a centimetre, gains of a few percent.
+SensorErrors uncalibrated()
+{
+  SensorErrors errors;
+  errors.offset_m = {0.009, -0.007, 0.0, 0.012, -0.008, 0.0, 0.0, 0.0};
+  errors.gain = {0.02, -0.01, 0.0, 0.025, -0.02, 0.0, 0.0, 0.0};
+  errors.white_m = 0.0021;
+  errors.white_per_m = 0.015;
+  errors.gyro_bias_radps = 0.004;
+  errors.gyro_white_radps = 0.0017;
+  errors.wheel_scale = 0.02;
+  return errors;
+}
+
+struct Rig
+{
+  explicit Rig(int step, const SensorErrors & errors = {})
+  : estimator(params_with(step), stetro_site::RobotGeometry{}, papers_flight()),
+    robot(estimator, errors)
+  {
+    estimator.begin(StateReading{});
+    robot.stand_on(std::max(step, 0));
+    robot.rest(1.0);
+  }
+
+  [[nodiscard]] const StairEstimate & estimate() const { return estimator.estimate(); }
+  [[nodiscard]] double y_error_m() const { return estimate().pose.y_m - robot.y_m; }
+
+  void sweep()
+  {
+    robot.sweep_left();
+    robot.sweep_right();
+  }
+
+  FusedEstimator estimator;
+  StairRobot robot;
+};
+
+TEST(FusedEstimator, CalibratesItselfAtTheWalls)
+{
+  Rig rig(3, uncalibrated());
+  for (int i = 0; i < 3; ++i) {
+    rig.sweep();
+  }
+  rig.robot.drive(0.0, 0.15, 0.0, 3.0);
+  EXPECT_LT(std::abs(rig.y_error_m()), 0.006);
+  EXPECT_LT(std::abs(rig.y_error_m()), rig.estimate().protection_across_m);
+  EXPECT_LT(rig.estimate().protection_across_m, 0.03);
+  EXPECT_EQ(rig.estimate().integrity, Integrity::kOk) << reason_names(rig.estimate().reasons);
+}
+
+TEST(FusedEstimator, FollowsTheStepsUp)
+{
+  Rig rig(0, uncalibrated());
+  rig.robot.approach();
+  for (int step = 0; step < 3; ++step) {
+    rig.robot.climb(step);
+    EXPECT_EQ(rig.estimate().step, step + 1);
+    EXPECT_GT(rig.estimate().step_probability, 0.999);
+    rig.sweep();
+  }
+  EXPECT_NEAR(rig.estimate().pose.z_m, 3 * 0.14, 0.003);
+  EXPECT_NEAR(rig.estimate().pose.x_m, rig.robot.x_m, 0.015);
+  EXPECT_NEAR(rig.estimate().pose.yaw_rad, rig.robot.yaw_rad, 0.01);
+}
+
+TEST(FusedEstimator, BadSamplesChangeNothing)
+{
+  Rig rig(3);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const Nanoseconds now = rig.robot.now;
+  rig.estimator.tick(now);
+  const double y_m = rig.estimate().pose.y_m;
+  EXPECT_EQ(rig.estimator.add_gyro({Nanoseconds{0}, 1.0}, now).refusal, Refusal::kZeroStamp);
+  EXPECT_EQ(
+    rig.estimator.add_gyro({now + std::chrono::seconds(1), 1.0}, now).refusal, Refusal::kFuture);
+  EXPECT_EQ(
+    rig.estimator.add_gyro({now - std::chrono::seconds(1), 1.0}, now).refusal, Refusal::kTooOld);
+  EXPECT_EQ(rig.estimator.add_gyro({now, nan}, now).refusal, Refusal::kNotFinite);
+  EXPECT_EQ(rig.estimator.add_odometry({now, 0.0, nan, 0.0}, now).refusal, Refusal::kNotFinite);
+  BlockSample blocks;
+  blocks.stamp = now;
+  blocks.blocks[1].height_m = -0.1;
+  EXPECT_EQ(rig.estimator.add_blocks(blocks, now).refusal, Refusal::kNegative);
+  rig.estimator.tick(now);
+  EXPECT_EQ(rig.estimate().pose.y_m, y_m);
+  EXPECT_EQ(rig.estimator.reports()[Source::kGyro].refused_total(), 4u);
+}
+
+TEST(FusedEstimator, KeepsStepAndCalibrationOverARestart)
+{
+  Rig rig(3, uncalibrated());
+  for (int i = 0; i < 3; ++i) {
+    rig.sweep();
+  }
+  rig.robot.drive(0.0, 0.15, 0.0, 3.0);
+  std::string why;
+  const auto kept = parse_stored_state(to_text(rig.estimator.state_to_store()), why);
+  ASSERT_TRUE(kept) << why;
+
+  FusedEstimator again(params_with(0), stetro_site::RobotGeometry{}, papers_flight());
+  StateReading found;
+  found.kind = StateReading::Kind::kFound;
+  found.state = *kept;
+  again.begin(found);
+  StairRobot robot(again, uncalibrated(), 2);
+  robot.x_m = rig.robot.x_m;
+  robot.y_m = rig.robot.y_m;
+  robot.yaw_rad = rig.robot.yaw_rad;
+  robot.block_z_m = rig.robot.block_z_m;
+  robot.now = rig.robot.now + milliseconds(500);
+  robot.rest(3.0);
+  EXPECT_EQ(again.estimate().step, 3);
+  EXPECT_EQ(again.estimate().integrity, Integrity::kOk) << reason_names(again.estimate().reasons);
+  EXPECT_NEAR(again.estimate().pose.y_m, robot.y_m, 0.008);
+  EXPECT_GT(again.estimate().reset_counter, kept->reset_counter);
+}
+
+TEST(FusedEstimator, ADamagedStateFileIsLost)
+{
+  FusedEstimator estimator(params_with(0), stetro_site::RobotGeometry{}, papers_flight());
+  StateReading damaged;
+  damaged.kind = StateReading::Kind::kDamaged;
+  estimator.begin(damaged);
+  StairRobot robot(estimator);
+  robot.stand_on(0);
+  robot.rest(1.0);
+  EXPECT_EQ(estimator.estimate().integrity, Integrity::kLost);
+  EXPECT_TRUE(estimator.estimate().reasons & kCalibrationDamaged);
+}
+
+TEST(FusedEstimator, TakesAPoseThatAPersonTells)
+{
+  Rig rig(-1, uncalibrated());
+  EXPECT_EQ(rig.estimate().integrity, Integrity::kLost);
+  rig.robot.stand_on(5);
+  stetro_site::Pose pose{rig.robot.x_m, 9.0, 0.7, 0.0};
+  EXPECT_TRUE(rig.estimator.tell_pose(pose, stetro_site::Covariance::Zero()));
+  pose.y_m = 1.01;
+  EXPECT_FALSE(rig.estimator.tell_pose(pose, stetro_site::Covariance::Zero()));
+  rig.robot.rest(2.0);
+  EXPECT_EQ(rig.estimate().step, 5);
+  EXPECT_EQ(rig.estimate().integrity, Integrity::kOk) << reason_names(rig.estimate().reasons);
+  EXPECT_NEAR(rig.estimate().pose.y_m, rig.robot.y_m, 0.012);
+}
+
+TEST(FusedEstimator, SaysThatNoSideRangeIsLeft)
+{
+  Rig rig(3);
+  rig.robot.sides_dead = true;
+  rig.robot.rest(1.0);
+  EXPECT_TRUE(rig.estimate().reasons & kNoSideRange);
+  EXPECT_EQ(rig.estimate().integrity, Integrity::kDegraded);
+}
+
+// Exact readings repeat themselves, which no live sensor does.
+TEST(FusedEstimator, SaysThatASensorIsStuck)
+{
+  Rig live(3, uncalibrated());
+  EXPECT_FALSE(live.estimate().reasons & kSensorStuck);
+  Rig frozen(3);
+  EXPECT_TRUE(frozen.estimate().reasons & kSensorStuck);
+}
+
+TEST(FusedEstimator, TakesSamplesWithoutAllocating)
+{
+  Rig rig(3, uncalibrated());
+  const std::size_t before = allocations;
+  rig.robot.drive(0.0, 0.1, 0.0, 0.1);
+  const Nanoseconds now = rig.robot.now;
+  RangeSample ranges;
+  ranges.stamp = now - milliseconds(20);  // older than what came last: the past is taken again
+  for (RangeReading & reading : ranges.readings) {
+    reading = {ranges.stamp, 0.5, 0.0, RangeStatus::kValid};
+  }
+  const std::size_t counted = allocations;
+  rig.estimator.add_ranges(ranges, now);
+  rig.estimator.add_gyro({now + milliseconds(1), 0.0}, now + milliseconds(1));
+  rig.estimator.add_odometry({now + milliseconds(1), 0.0, 0.1, 0.0}, now + milliseconds(1));
+  EXPECT_EQ(allocations, counted);
+  EXPECT_GE(counted, before);
+}
+
+}  // namespace
+}  // namespace stetro_localizer
