@@ -274,6 +274,7 @@ TEST_F(PseudocodeFaults, D3_14_ATouchDownOnTheOldTreadIsNoStep)
   EXPECT_TRUE(run_to_state(climb, robot, State::kConfirmStep, 60.0)) << "lifted again, rolled on";
 }
 
+// The other half of D3-15, the restart of the process, is tested in test_rejoin.cpp.
 TEST_F(PseudocodeFaults, D3_15_AMissionCanBePausedResumedAndAborted)
 {
   run_to(State::kLiftBlock2, 1);

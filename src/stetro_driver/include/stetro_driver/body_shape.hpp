@@ -38,7 +38,7 @@ struct TofMounting
   Vector3 direction{1.0, 0.0, 0.0};  ///< unit, in base_link
 };
 
-/// The body of the design: three blocks in a row, joined by vertical sliders.
+/// The robot's body: three blocks in a row, joined by vertical sliders.
 struct BodyShape
 {
   double block_length_m = 0.15;

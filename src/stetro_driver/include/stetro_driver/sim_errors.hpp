@@ -23,7 +23,7 @@
 namespace stetro_driver
 {
 
-/// Every error of the simulated robot and of the world it climbs; the defaults of the design.
+/// Every error of the simulated robot and of the world it climbs, with their default sizes.
 /**
  * Values named `_std` are one standard deviation, `_max` the bound on either side. Zero switches an
  * error off.
