@@ -61,7 +61,7 @@ BENCHMARK(predict);
 void range_update(benchmark::State & state)
 {
   Bench bench;
-  const SideRangeAiding aiding(Side::kRight, {0.0, -0.05}, 0.0117);
+  const SideRangeAiding aiding(Side::kRight, {0.0, -0.05}, ConeOnWall(0.4363));
   for (auto _ : state) {
     const Expectation expected = aiding.expect(bench.core.filter.state());
     const Innovation innovation =

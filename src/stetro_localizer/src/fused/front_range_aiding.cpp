@@ -20,8 +20,8 @@ namespace stetro_localizer
 {
 
 FrontRangeAiding::FrontRangeAiding(
-  Ranger ranger, double mount_x_m, double mount_y_m, double cone_excess)
-: ranger_(ranger), mount_x_m_(mount_x_m), mount_y_m_(mount_y_m), stretch_(1.0 + cone_excess)
+  Ranger ranger, double mount_x_m, double mount_y_m, const ConeOnWall & cone)
+: ranger_(ranger), mount_x_m_(mount_x_m), mount_y_m_(mount_y_m), cone_(cone)
 {
 }
 
@@ -35,7 +35,7 @@ Expectation FrontRangeAiding::expect(
   const double off_middle_m = state[kStateY] + across_m - state[kStateWidth] / 2.0;
 
   double face_m = 0.0;
-  double t = 0.0;  // tan rho; nothing is known of the riser after the next
+  double rho = 0.0;  // nothing is known of the riser after the next
   int direction = -1;
   if (seen == SeenRiser::kAhead) {
     direction = kStateRiserAhead;
@@ -44,24 +44,30 @@ Expectation FrontRangeAiding::expect(
     direction = seen == SeenRiser::kNext ? int{kStateRiserNext} : -1;
   }
   if (direction >= 0) {
-    t = std::tan(state[direction]);
+    rho = state[direction];
   }
-  const double across_face = c - s * t;
-  const double reach_m = (face_m + off_middle_m * t - state[kStateX] - along_m) / across_face;
-  const double slope = stretch_ * (1.0 + state[gain_index(ranger_)]);
-  const double per_metre = slope / across_face;
+  const double t = std::tan(rho);
+  const double cos_rho = std::cos(rho);
+  const double along_x_m = face_m + off_middle_m * t - state[kStateX] - along_m;
+  const double square_m = along_x_m * cos_rho;
+  const double incidence = state[kStateYaw] + rho;
+  const double gain = 1.0 + state[gain_index(ranger_)];
+  const double stretch = cone_.stretch(incidence);
+  const double turning = gain * cone_.slope(incidence) * square_m;
+  const double per_metre = gain * stretch * cos_rho;
 
-  Expectation expectation(slope * reach_m + state[offset_index(ranger_)]);
+  Expectation expectation(gain * stretch * square_m + state[offset_index(ranger_)]);
   expectation.depends_on(kStateX, -per_metre);
   expectation.depends_on(kStateY, per_metre * t);
-  expectation.depends_on(kStateYaw, per_metre * (along_m * t + across_m + reach_m * (s + c * t)));
+  expectation.depends_on(kStateYaw, turning + per_metre * (along_m * t + across_m));
   expectation.depends_on(offset_index(ranger_), 1.0);
-  expectation.depends_on(gain_index(ranger_), stretch_ * reach_m);
+  expectation.depends_on(gain_index(ranger_), stretch * square_m);
   if (seen != SeenRiser::kAhead) {
     expectation.depends_on(kStateTreadAhead, per_metre);
   }
   if (direction >= 0) {
-    expectation.depends_on(direction, per_metre * (1.0 + t * t) * (off_middle_m + reach_m * s));
+    expectation.depends_on(
+      direction, turning + per_metre * (off_middle_m * (1.0 + t * t) - along_x_m * t));
     expectation.depends_on(kStateWidth, -per_metre * t / 2.0);
   }
   return expectation;

@@ -31,14 +31,14 @@ double squared(double value) { return value * value; }
 SideRangeAiding side_aiding(Side side, const stetro_site::RobotGeometry & robot)
 {
   const auto & mount = robot.at(side == Side::kLeft ? Place::kSideLeft : Place::kSideRight);
-  return {side, {mount.x_m, mount.y_m}, cone_excess(robot.range_sensor.cone_rad)};
+  return {side, {mount.x_m, mount.y_m}, ConeOnWall(robot.range_sensor.cone_rad)};
 }
 
 FrontRangeAiding front_aiding(Ranger ranger, const stetro_site::RobotGeometry & robot)
 {
   const auto & mount =
     robot.at(ranger == Ranger::kFrontLeft ? Place::kFrontLeft : Place::kFrontRight);
-  return {ranger, mount.x_m, mount.y_m, cone_excess(robot.range_sensor.cone_rad)};
+  return {ranger, mount.x_m, mount.y_m, ConeOnWall(robot.range_sensor.cone_rad)};
 }
 
 }  // namespace
@@ -51,7 +51,6 @@ FusedModel::FusedModel(
   flight_(flight),
   step_model_(flight, robot, params.fused.steps),
   gate_(squared(two_sided_quantile(params.fused.gate_false_alarm))),
-  cone_excess_(cone_excess(robot.range_sensor.cone_rad)),
   sides_{side_aiding(Side::kLeft, robot), side_aiding(Side::kRight, robot)},
   fronts_{front_aiding(Ranger::kFrontLeft, robot), front_aiding(Ranger::kFrontRight, robot)}
 {

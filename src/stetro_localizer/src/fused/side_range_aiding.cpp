@@ -19,30 +19,33 @@
 namespace stetro_localizer
 {
 
-SideRangeAiding::SideRangeAiding(Side side, const SideRangeParams & mount, double cone_excess)
+SideRangeAiding::SideRangeAiding(Side side, const SideRangeParams & mount, const ConeOnWall & cone)
 : left_(side == Side::kLeft),
   ranger_(left_ ? Ranger::kSideLeft : Ranger::kSideRight),
   mount_(mount),
-  stretch_(1.0 + cone_excess)
+  cone_(cone)
 {
 }
 
 Expectation SideRangeAiding::expect(const StateVector & state) const
 {
-  const double c = std::cos(state[kStateYaw]);
-  const double s = std::sin(state[kStateYaw]);
+  const double yaw = state[kStateYaw];
+  const double c = std::cos(yaw);
+  const double s = std::sin(yaw);
   const double away = left_ ? -1.0 : 1.0;  // d(distance)/dy
   const double from_wall_m = left_ ? state[kStateWidth] - state[kStateY] : state[kStateY];
-  const double reach_m = (from_wall_m + away * (mount_.mount_x_m * s + mount_.mount_y_m * c)) / c;
-  const double slope = stretch_ * (1.0 + state[gain_index(ranger_)]);
+  const double square_m = from_wall_m + away * (mount_.mount_x_m * s + mount_.mount_y_m * c);
+  const double square_slope = away * (mount_.mount_x_m * c - mount_.mount_y_m * s);
+  const double stretch = cone_.stretch(yaw);
+  const double gain = 1.0 + state[gain_index(ranger_)];
 
-  Expectation expectation(slope * reach_m + state[offset_index(ranger_)]);
-  expectation.depends_on(kStateY, away * slope / c);
-  expectation.depends_on(kStateYaw, slope * (from_wall_m * s + away * mount_.mount_x_m) / (c * c));
+  Expectation expectation(gain * stretch * square_m + state[offset_index(ranger_)]);
+  expectation.depends_on(kStateY, away * gain * stretch);
+  expectation.depends_on(kStateYaw, gain * (cone_.slope(yaw) * square_m + stretch * square_slope));
   expectation.depends_on(offset_index(ranger_), 1.0);
-  expectation.depends_on(gain_index(ranger_), stretch_ * reach_m);
+  expectation.depends_on(gain_index(ranger_), stretch * square_m);
   if (left_) {
-    expectation.depends_on(kStateWidth, slope / c);
+    expectation.depends_on(kStateWidth, gain * stretch);
   }
   return expectation;
 }

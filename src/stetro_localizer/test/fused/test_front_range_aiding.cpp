@@ -27,7 +27,7 @@ namespace
 TEST(FrontRangeAiding, JacobianHolds)
 {
   for (const SeenRiser seen : {SeenRiser::kAhead, SeenRiser::kNext, SeenRiser::kAfterNext}) {
-    const FrontRangeAiding aiding(Ranger::kFrontRight, 0.19, -0.1, 0.0117);
+    const FrontRangeAiding aiding(Ranger::kFrontRight, 0.19, -0.1, ConeOnWall(0.4363));
     expect_jacobian_holds(
       [&](const StateVector & state) { return aiding.expect(state, seen, 0.32); });
   }
@@ -41,7 +41,7 @@ TEST(FrontRangeAiding, ReadsTheGapToTheNextRiser)
   state[kStateY] = 1.0;
   state[kStateWidth] = 2.05;
   state[kStateTreadAhead] = 0.32;
-  const FrontRangeAiding left(Ranger::kFrontLeft, 0.19, 0.1, 0.0);
+  const FrontRangeAiding left(Ranger::kFrontLeft, 0.19, 0.1, ConeOnWall(0.0));
   EXPECT_NEAR(left.expect(state, SeenRiser::kNext).value(), 0.215, 1e-12);
   EXPECT_NEAR(left.expect(state, SeenRiser::kAfterNext, 0.30).value(), 0.515, 1e-12);
   state[kStateX] = -0.5;
@@ -57,8 +57,8 @@ TEST(FrontRangeAiding, DifferenceOfThePairIsTheHeading)
   state[kStateYaw] = 0.05;
   state[kStateWidth] = 2.05;
   state[kStateTreadAhead] = 0.32;
-  const FrontRangeAiding left(Ranger::kFrontLeft, 0.19, 0.1, 0.0);
-  const FrontRangeAiding right(Ranger::kFrontRight, 0.19, -0.1, 0.0);
+  const FrontRangeAiding left(Ranger::kFrontLeft, 0.19, 0.1, ConeOnWall(0.0));
+  const FrontRangeAiding right(Ranger::kFrontRight, 0.19, -0.1, ConeOnWall(0.0));
   const double difference_m =
     left.expect(state, SeenRiser::kNext).value() - right.expect(state, SeenRiser::kNext).value();
   EXPECT_NEAR(std::atan2(difference_m, 0.2), 0.05, 1e-12);

@@ -26,7 +26,8 @@ namespace
 TEST(SideRangeAiding, JacobianHolds)
 {
   for (const Side side : {Side::kLeft, Side::kRight}) {
-    const SideRangeAiding aiding(side, {0.03, side == Side::kLeft ? 0.05 : -0.05}, 0.0117);
+    const SideRangeAiding aiding(
+      side, {0.03, side == Side::kLeft ? 0.05 : -0.05}, ConeOnWall(0.4363));
     expect_jacobian_holds([&aiding](const StateVector & state) { return aiding.expect(state); });
   }
 }
@@ -37,9 +38,9 @@ TEST(SideRangeAiding, ReadsTheGapToTheWall)
   StateVector state = StateVector::Zero();
   state[kStateY] = 0.615;
   state[kStateWidth] = 2.05;
-  const SideRangeAiding right(Side::kRight, {0.0, -0.05}, 0.0);
+  const SideRangeAiding right(Side::kRight, {0.0, -0.05}, ConeOnWall(0.0));
   EXPECT_NEAR(right.expect(state).value(), 0.565, 1e-12);
-  const SideRangeAiding left(Side::kLeft, {0.0, 0.05}, 0.0);
+  const SideRangeAiding left(Side::kLeft, {0.0, 0.05}, ConeOnWall(0.0));
   EXPECT_NEAR(left.expect(state).value(), 1.385, 1e-12);
   state[offset_index(Ranger::kSideLeft)] = 0.01;
   state[gain_index(Ranger::kSideLeft)] = 0.02;
@@ -54,28 +55,52 @@ TEST(SideRangeAiding, AgreesWithTheInverseModel)
     state.tail<kStateCount - kStateFirstCalibration>().setZero();
     for (const Side side : {Side::kLeft, Side::kRight}) {
       const SideRangeParams mount{0.1, side == Side::kLeft ? 0.05 : -0.05};
-      const double range_m = SideRangeAiding(side, mount, 0.0).expect(state).value();
+      const double range_m = SideRangeAiding(side, mount, ConeOnWall(0.0)).expect(state).value();
       const double y_m = SideRange(side, mount).y_m(range_m, state[kStateYaw], state[kStateWidth]);
       EXPECT_NEAR(y_m, state[kStateY], 1e-12);
     }
   }
 }
 
-// Midpoint sum over solid angle, in place of the integrals.
-TEST(Cone, ReadsAFlatWallTooFar)
+// A sum over rays of equal solid angle, in place of the closed form.
+double summed_stretch(double half_rad, double incidence_rad)
 {
-  const double half_rad = 0.4363 / 2.0;
+  const double c0 = std::cos(half_rad);
   double light = 0.0;
   double moment = 0.0;
-  for (int i = 0; i < 100000; ++i) {
-    const double theta = half_rad * (i + 0.5) / 100000.0;
-    const double weight = std::sin(theta) * std::pow(std::cos(theta), 3);
-    light += weight;
-    moment += weight / std::cos(theta);
+  constexpr int kRings = 400;
+  constexpr int kTurns = 360;
+  for (int i = 0; i < kRings; ++i) {
+    const double cos_a = c0 + (1.0 - c0) * (i + 0.5) / kRings;
+    const double sin_a = std::sqrt(1.0 - cos_a * cos_a);
+    for (int k = 0; k < kTurns; ++k) {
+      const double phi = 2.0 * std::acos(-1.0) * k / kTurns;
+      const double c =
+        std::cos(incidence_rad) * cos_a + std::sin(incidence_rad) * sin_a * std::cos(phi);
+      light += c * c * c;
+      moment += c * c;
+    }
   }
-  EXPECT_NEAR(cone_excess(0.4363), moment / light - 1.0, 1e-9);
-  EXPECT_NEAR(cone_excess(0.4363), 0.0118, 2e-4);
-  EXPECT_EQ(cone_excess(0.0), 0.0);
+  return moment / light;
+}
+
+TEST(ConeOnWall, IsTheMeanOfItsRays)
+{
+  const ConeOnWall cone(0.4363);
+  for (const double incidence : {-0.3, 0.0, 0.1, 0.25}) {
+    EXPECT_NEAR(cone.stretch(incidence), summed_stretch(0.4363 / 2.0, incidence), 1e-6)
+      << incidence;
+    const double difference = (cone.stretch(incidence + 1e-6) - cone.stretch(incidence - 1e-6));
+    EXPECT_NEAR(cone.slope(incidence), difference / 2e-6, 1e-7) << incidence;
+  }
+  EXPECT_NEAR(cone.stretch(0.0), 1.0118, 2e-4);
+}
+
+TEST(ConeOnWall, OfZeroIsARay)
+{
+  const ConeOnWall ray(0.0);
+  EXPECT_NEAR(ray.stretch(0.2), 1.0 / std::cos(0.2), 1e-12);
+  EXPECT_NEAR(ray.slope(0.2), std::tan(0.2) / std::cos(0.2), 1e-12);
 }
 
 }  // namespace

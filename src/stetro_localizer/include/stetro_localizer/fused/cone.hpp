@@ -20,27 +20,72 @@
 namespace stetro_localizer
 {
 
-/// How much farther than its axis a cone of light measures a flat wall, as a share.
+/// What a cone of light measures of a flat wall at a slant, against the distance square to it.
 /**
- * A ray at angle theta off the axis meets a wall at distance d / cos theta and brings back light in
- * proportion to cos(theta) / (d / cos theta)^2, which is cos^3 theta. With c = cos theta, equal in
- * measure to solid angle, and c0 = cos(half angle), the mean distance is
+ * A ray at angle theta to the wall's normal meets it at D / cos theta, D the distance square to the
+ * wall, and brings back light in proportion to cos(theta) / (D / cos theta)^2, which is cos^3
+ * theta. Over a cone whose axis is at the incidence psi,
  *
- *   d * integral(c^2 dc, c0, 1) / integral(c^3 dc, c0, 1) = d * (4/3) (1 - c0^3) / (1 - c0^4).
+ *   range = D f(psi),   f(psi) = E[cos^2 theta] / E[cos^3 theta].
  *
- * 25 deg of full angle make 1.17 %. A wall turned against the beam is farther along the axis by its
- * own cosine, which the models have; the rest is second order.
+ * A ray at the angle a off the axis, turned by phi about it, has cos theta = cos psi cos a +
+ * sin psi sin a cos phi. With E over phi, and over cos a even in [c0, 1] (equal solid angles), c0
+ * the cosine of half the cone,
  *
- * \param cone_rad full angle of the cone, below pi [rad]; 0 is a ray
+ *   E[cos^2 theta] = cos^2 psi E[cos^2 a] + (1/2) sin^2 psi E[sin^2 a]
+ *   E[cos^3 theta] = cos^3 psi E[cos^3 a] + (3/2) cos psi sin^2 psi E[cos a sin^2 a]
+ *
+ * A cone of zero is a ray: f = 1 / cos psi. One of 25 deg reads 1.2 % too much when square, and
+ * grows with the slant less than its axis does: 0.7 % less at 10 deg.
  */
-[[nodiscard]] inline double cone_excess(double cone_rad)
+class ConeOnWall
 {
-  const double c0 = std::cos(cone_rad / 2.0);
-  if (c0 > 1.0 - 1e-12) {
-    return 0.0;
+public:
+  /// \param cone_rad full angle of the cone, below pi [rad]; 0 is a ray
+  explicit ConeOnWall(double cone_rad)
+  {
+    const double c0 = std::cos(cone_rad / 2.0);
+    // Means of c^n over [c0, 1], without the difference of nearly equal numbers.
+    cos2_ = (1.0 + c0 + c0 * c0) / 3.0;
+    cos3_ = (1.0 + c0) * (1.0 + c0 * c0) / 4.0;
+    cos_sin2_ = (1.0 + c0) / 2.0 - cos3_;
   }
-  return (4.0 / 3.0) * (1.0 - c0 * c0 * c0) / (1.0 - c0 * c0 * c0 * c0) - 1.0;
-}
+
+  /// f: what it measures for each metre square to the wall [-]. \param incidence_rad below pi/2
+  [[nodiscard]] double stretch(double incidence_rad) const
+  {
+    const double c = std::cos(incidence_rad);
+    const double s = std::sin(incidence_rad);
+    return squares(c, s) / cubes(c, s);
+  }
+
+  /// df/d(incidence) [1/rad]
+  [[nodiscard]] double slope(double incidence_rad) const
+  {
+    const double c = std::cos(incidence_rad);
+    const double s = std::sin(incidence_rad);
+    const double top = squares(c, s);
+    const double bottom = cubes(c, s);
+    const double d_top = s * c * (1.0 - 3.0 * cos2_);
+    const double d_bottom =
+      -3.0 * c * c * s * cos3_ + 1.5 * cos_sin2_ * (2.0 * s * c * c - s * s * s);
+    return (d_top * bottom - top * d_bottom) / (bottom * bottom);
+  }
+
+private:
+  [[nodiscard]] double squares(double c, double s) const
+  {
+    return c * c * cos2_ + 0.5 * s * s * (1.0 - cos2_);
+  }
+  [[nodiscard]] double cubes(double c, double s) const
+  {
+    return c * c * c * cos3_ + 1.5 * c * s * s * cos_sin2_;
+  }
+
+  double cos2_;      // E[cos^2 a]
+  double cos3_;      // E[cos^3 a]
+  double cos_sin2_;  // E[cos a sin^2 a]
+};
 
 }  // namespace stetro_localizer
 

@@ -15,6 +15,7 @@
 #ifndef STETRO_LOCALIZER__FUSED__FRONT_RANGE_AIDING_HPP_
 #define STETRO_LOCALIZER__FUSED__FRONT_RANGE_AIDING_HPP_
 
+#include "stetro_localizer/fused/cone.hpp"
 #include "stetro_localizer/fused/expectation.hpp"
 
 namespace stetro_localizer
@@ -30,10 +31,11 @@ enum class SeenRiser {
 /// One range of the front pair: x within the tread, and with its twin the heading.
 /**
  * The beam starts at p = (x + l cos psi - m sin psi, y + l sin psi + m cos psi) along
- * (cos psi, sin psi) and strikes the face x = X + (y - W/2) tan rho of the riser seen:
+ * (cos psi, sin psi) and strikes the face x = X + (y - W/2) tan rho of the riser seen, at the
+ * incidence psi + rho:
  *
- *   d = (X + (p_y - W/2) tan rho - p_x) / (cos psi - sin psi tan rho)
- *   reading = (1 + g) (1 + k) d + b
+ *   D = (X + (p_y - W/2) tan rho - p_x) cos rho
+ *   reading = (1 + g) f(psi + rho) D + b
  *
  * X is 0 for the riser ahead, the depth of the tread ahead for the next. The difference of the two
  * readings is S-A and S-B eq. (2) with the signs of D1-6; here each counts by itself, so that one
@@ -43,7 +45,7 @@ class FrontRangeAiding
 {
 public:
   /// \param mount_x_m l, \param mount_y_m m of the beam's origin in `base_link` [m]
-  FrontRangeAiding(Ranger ranger, double mount_x_m, double mount_y_m, double cone_excess);
+  FrontRangeAiding(Ranger ranger, double mount_x_m, double mount_y_m, const ConeOnWall & cone);
 
   /// \param beyond_m depth of the tread after the next, by the site file; for `kAfterNext` [m]
   [[nodiscard]] Expectation expect(
@@ -54,7 +56,7 @@ private:
   Ranger ranger_;
   double mount_x_m_;
   double mount_y_m_;
-  double stretch_;
+  ConeOnWall cone_;
 };
 
 }  // namespace stetro_localizer

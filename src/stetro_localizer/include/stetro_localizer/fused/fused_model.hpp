@@ -89,7 +89,6 @@ private:
   stetro_site::Flight flight_;
   StepModel step_model_;
   double gate_;  // nis that a sound measurement exceeds as rarely as the parameter says
-  double cone_excess_;
   std::array<SideRangeAiding, 2> sides_;
   std::array<FrontRangeAiding, 2> fronts_;
 };

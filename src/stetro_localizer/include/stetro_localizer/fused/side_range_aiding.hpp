@@ -15,6 +15,7 @@
 #ifndef STETRO_LOCALIZER__FUSED__SIDE_RANGE_AIDING_HPP_
 #define STETRO_LOCALIZER__FUSED__SIDE_RANGE_AIDING_HPP_
 
+#include "stetro_localizer/fused/cone.hpp"
 #include "stetro_localizer/fused/expectation.hpp"
 #include "stetro_localizer/measurement/side_range.hpp"
 
@@ -23,17 +24,16 @@ namespace stetro_localizer
 
 /// A range to a side wall: distance from it, and the sensor's own errors.
 /**
- * With the beam's origin at (l, m) in `base_link`, heading psi and excess k of the cone:
+ * With the beam's origin at (l, m) in `base_link`, heading psi and the cone's stretch f:
  *
- *   right:  d = (y + l sin psi + m cos psi) / cos psi
- *   left:   d = (W - y - l sin psi - m cos psi) / cos psi
- *   reading = (1 + g) (1 + k) d + b
+ *   right:  D = y + l sin psi + m cos psi
+ *   left:   D = W - y - l sin psi - m cos psi
+ *   reading = (1 + g) f(psi) D + b
  */
 class SideRangeAiding
 {
 public:
-  /// \param cone_excess share by which the cone reads a flat wall too far, see `cone_excess()`
-  SideRangeAiding(Side side, const SideRangeParams & mount, double cone_excess);
+  SideRangeAiding(Side side, const SideRangeParams & mount, const ConeOnWall & cone);
 
   [[nodiscard]] Expectation expect(const StateVector & state) const;
   [[nodiscard]] Ranger ranger() const { return ranger_; }
@@ -42,7 +42,7 @@ private:
   bool left_;
   Ranger ranger_;
   SideRangeParams mount_;
-  double stretch_;
+  ConeOnWall cone_;
 };
 
 }  // namespace stetro_localizer
