@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "stetro_localizer/front_reference.hpp"
+#include "stetro_localizer/sample_fault.hpp"
 
 namespace stetro_localizer
 {
@@ -41,26 +42,6 @@ std::vector<double> risers_of(const stetro_site::Flight & flight)
     risers_m.push_back(flight.riser_m(i));
   }
   return risers_m;
-}
-
-Refusal fault_of(std::initializer_list<double> numbers)
-{
-  const bool finite =
-    std::all_of(numbers.begin(), numbers.end(), [](double n) { return std::isfinite(n); });
-  return finite ? Refusal::kNone : Refusal::kNotFinite;
-}
-
-Refusal fault_of(const BlockSample & sample)
-{
-  for (const BlockReading & block : sample.blocks) {
-    if (!block.fault && !std::isfinite(block.height_m)) {
-      return Refusal::kNotFinite;
-    }
-    if (!block.fault && block.height_m < 0.0) {
-      return Refusal::kNegative;
-    }
-  }
-  return Refusal::kNone;
 }
 
 }  // namespace
@@ -99,7 +80,7 @@ Verdict PaperEstimator::admit(Source input, Nanoseconds stamp, Nanoseconds now, 
 
 Verdict PaperEstimator::add_gyro(const GyroSample & sample, Nanoseconds now)
 {
-  const Verdict verdict = admit(Source::kGyro, sample.stamp, now, fault_of({sample.rate_radps}));
+  const Verdict verdict = admit(Source::kGyro, sample.stamp, now, fault_of(sample));
   if (!verdict.is_refused()) {
     heading_.add_gyro(sample, standstill_.standing());
   }
@@ -109,9 +90,7 @@ Verdict PaperEstimator::add_gyro(const GyroSample & sample, Nanoseconds now)
 Verdict PaperEstimator::add_odometry(const OdometrySample & sample, Nanoseconds now)
 {
   const Nanoseconds before = guards_[static_cast<std::size_t>(Source::kOdometry)].last();
-  const Verdict verdict = admit(
-    Source::kOdometry, sample.stamp, now,
-    fault_of({sample.vx_mps, sample.vy_mps, sample.wz_radps}));
+  const Verdict verdict = admit(Source::kOdometry, sample.stamp, now, fault_of(sample));
   if (verdict.is_refused()) {
     return verdict;
   }

@@ -16,28 +16,9 @@
 
 #include <array>
 #include <cmath>
-#include <cstdlib>
-#include <new>
 
+#include "support/counted_allocations.hpp"
 #include "support/hand_set_blocks.hpp"
-
-namespace
-{
-
-std::size_t allocations = 0;
-
-}  // namespace
-
-void * operator new(std::size_t size)
-{
-  ++allocations;
-  if (void * memory = std::malloc(size)) {
-    return memory;
-  }
-  throw std::bad_alloc();
-}
-void operator delete(void * memory) noexcept { std::free(memory); }
-void operator delete(void * memory, std::size_t) noexcept { std::free(memory); }
 
 namespace stetro_localizer
 {

@@ -18,6 +18,7 @@
 #include <cmath>
 
 #include "stetro_localizer/fused/normal_quantile.hpp"
+#include "stetro_localizer/sample_fault.hpp"
 
 namespace stetro_localizer
 {
@@ -29,26 +30,6 @@ constexpr std::size_t kMostInWindow = 256;  // samples: a quarter second of ever
 Nanoseconds nanoseconds(double duration_s)
 {
   return std::chrono::duration_cast<Nanoseconds>(std::chrono::duration<double>(duration_s));
-}
-
-Refusal fault_of(std::initializer_list<double> numbers)
-{
-  const bool finite =
-    std::all_of(numbers.begin(), numbers.end(), [](double n) { return std::isfinite(n); });
-  return finite ? Refusal::kNone : Refusal::kNotFinite;
-}
-
-Refusal fault_of(const BlockSample & sample)
-{
-  for (const BlockReading & block : sample.blocks) {
-    if (!block.fault && !std::isfinite(block.height_m)) {
-      return Refusal::kNotFinite;
-    }
-    if (!block.fault && block.height_m < 0.0) {
-      return Refusal::kNegative;
-    }
-  }
-  return Refusal::kNone;
 }
 
 }  // namespace
@@ -100,13 +81,12 @@ Verdict FusedEstimator::take(Source input, const Sample & sample, Nanoseconds no
 
 Verdict FusedEstimator::add_gyro(const GyroSample & sample, Nanoseconds now)
 {
-  return take(Source::kGyro, sample, now, fault_of({sample.rate_radps}));
+  return take(Source::kGyro, sample, now, fault_of(sample));
 }
 
 Verdict FusedEstimator::add_odometry(const OdometrySample & sample, Nanoseconds now)
 {
-  return take(
-    Source::kOdometry, sample, now, fault_of({sample.vx_mps, sample.vy_mps, sample.wz_radps}));
+  return take(Source::kOdometry, sample, now, fault_of(sample));
 }
 
 Verdict FusedEstimator::add_contacts(const ContactSample & sample, Nanoseconds now)

@@ -16,32 +16,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
-#include <new>
 #include <string>
 
 #include "stetro_localizer/fused_estimator.hpp"
 #include "stetro_localizer/stored_state.hpp"
+#include "support/counted_allocations.hpp"
 #include "support/stair_robot.hpp"
-
-namespace
-{
-
-std::size_t allocations = 0;
-
-}  // namespace
-
-void * operator new(std::size_t size)
-{
-  ++allocations;
-  if (void * memory = std::malloc(size)) {
-    return memory;
-  }
-  throw std::bad_alloc();
-}
-void operator delete(void * memory) noexcept { std::free(memory); }
-void operator delete(void * memory, std::size_t) noexcept { std::free(memory); }
 
 namespace stetro_localizer
 {
