@@ -24,9 +24,6 @@ namespace
 
 double squared(double value) { return value * value; }
 
-// Indices below are motion; from here on it is what the motion is measured against.
-constexpr int kFirstConsidered = kStateGyroBias;
-
 // What is kept for the next time, in the order of `FusedCalibration`.
 constexpr std::array<int, FusedCalibration::kSize> kKept{
   offset_index(Ranger::kSideLeft),
@@ -115,8 +112,8 @@ Innovation ErrorStateFilter::innovation(
 }
 
 // Joseph's form for one scalar and the optimal gain, written out: with h = P H^T it is
-// P - h h^T / S. Rows of considered states have gain zero, and then only the block between two of
-// them keeps its value. The product of a vector with itself is symmetric to the last bit.
+// P - h h^T / S, symmetric to the last bit. Rows of considered states have gain zero, and what
+// stands between two of them keeps its value.
 void ErrorStateFilter::correct(
   const Expectation & expectation, const Innovation & innovation, Corrects corrects)
 {
@@ -131,11 +128,9 @@ void ErrorStateFilter::correct(
     P_.noalias() -= h * h.transpose();
     return;
   }
-  constexpr int kRest = kStateCount - kFirstConsidered;
-  const Eigen::Matrix<double, kRest, kRest> kept = P_.bottomRightCorner<kRest, kRest>();
-  x_.head<kFirstConsidered>() += h.head<kFirstConsidered>() * normalised;
-  P_.noalias() -= h * h.transpose();
-  P_.bottomRightCorner<kRest, kRest>() = kept;
+  x_[kStateX] += h[kStateX] * normalised;
+  P_.col(kStateX) -= h[kStateX] * h;
+  P_.row(kStateX) = P_.col(kStateX).transpose();
 }
 
 void ErrorStateFilter::copy_row(int to, int from)

@@ -122,13 +122,13 @@ TEST(ErrorStateFilter, ConsideredStatesAreNotCorrected)
     expectation.depends_on(i, 1.0);
   }
   const Innovation innovation = filter.innovation(expectation, 0.1, 0.01);
-  filter.correct(expectation, innovation, Corrects::kMotionOnly);
+  filter.correct(expectation, innovation, Corrects::kAlongOnly);
   StateVector K = P * H / innovation.variance;
-  K.tail<kStateCount - kStateGyroBias>().setZero();
+  K.tail<kStateCount - 1>().setZero();
   const StateMatrix L = StateMatrix::Identity() - K * H.transpose();
   const StateMatrix joseph = L * P * L.transpose() + 0.01 * K * K.transpose();
   EXPECT_LT((filter.covariance() - joseph).cwiseAbs().maxCoeff(), 1e-12);
-  for (int i = kStateGyroBias; i < kStateCount; ++i) {
+  for (int i = kStateX + 1; i < kStateCount; ++i) {
     EXPECT_EQ(filter[i], before[i]);
   }
 }
@@ -147,7 +147,7 @@ TEST(ErrorStateFilter, StaysSymmetricAndPositive)
     const double variance = std::pow(10.0, -4.0 - 6.0 * (i % 3));
     filter.correct(
       expectation, filter.innovation(expectation, 1e-3 * normal(random), variance),
-      i % 5 == 0 ? Corrects::kMotionOnly : Corrects::kAll);
+      i % 5 == 0 ? Corrects::kAlongOnly : Corrects::kAll);
     if (i % 500 == 0) {
       const StateMatrix & P = filter.covariance();
       ASSERT_EQ(P, P.transpose());

@@ -48,7 +48,7 @@ struct Innovation
 /// Which states a measurement may change.
 enum class Corrects {
   kAll,
-  kMotionOnly  ///< calibration and staircase are considered, not corrected (Schmidt)
+  kAlongOnly  ///< x; all the others are considered, not corrected (Schmidt)
 };
 
 /// Kalman filter over the error of the state: covariance propagation and scalar updates.

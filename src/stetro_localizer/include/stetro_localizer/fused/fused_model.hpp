@@ -81,6 +81,7 @@ private:
   [[nodiscard]] double tread_m(int step) const;
   [[nodiscard]] double edge_ahead_m(int step) const;
   [[nodiscard]] double range_variance_m2(double range_m) const;
+  [[nodiscard]] bool wall_fills_cone(const FusedCore & core, double range_m) const;
   [[nodiscard]] bool sees_side_wall(
     const FusedCore & core, stetro_site::Place place, double range_m) const;
 
