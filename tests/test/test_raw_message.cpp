@@ -34,7 +34,9 @@ TEST(RawMessage, ArrivesAsItsBytesSpell)
   Observer hostile(domain, "hostile");
   auto & writer = hostile.publisher<Raw<BlockStates>>("blocks", stetro_dds::qos::kSensor);
   hostile.start();
+  // Both sides: a best-effort reader that has not met the writer yet never hears what it wrote.
   ASSERT_TRUE(hostile.wait_matched(10s).empty());
+  ASSERT_TRUE(ears.wait_matched(10s).empty());
 
   BlockStates message;
   message.steering_angle(0.25);

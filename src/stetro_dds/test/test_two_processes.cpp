@@ -43,9 +43,10 @@ class TwoProcesses : public testing::Test
 protected:
   TwoProcesses()
   {
-    node_.subscribe<String>("hello", qos::kPose, [this](const String &) { ++hellos_; });
+    // In this order: a child that says hello to us has met our reader of its echo before.
     node_.subscribe<String>(
       "echo", qos::kPose, [this](const String & message) { echo_ = message.data(); });
+    node_.subscribe<String>("hello", qos::kPose, [this](const String &) { ++hellos_; });
     executor_.add(node_);
   }
 
@@ -68,6 +69,7 @@ TEST_F(TwoProcesses, FindEachOtherAndTalkBothWays)
 {
   const ChildProcess child(kLonelyNode, {});
   ASSERT_TRUE(node_.wait_matched({}, 10s));
+  ASSERT_TRUE(hears_hello_again());
   for (const char * word : {"one", "two", "three"}) {
     String message;
     message.data(word);
