@@ -45,6 +45,14 @@ std::optional<std::string> implausible(
   return std::nullopt;
 }
 
+double told_variance(const stetro_site::Covariance & covariance, int i)
+{
+  constexpr double kLeast = 0.01 * 0.01;
+  constexpr double kNotGiven = 0.1 * 0.1;
+  const double given = covariance(i, i);
+  return std::isfinite(given) ? std::max(given, kLeast) : kNotGiven;
+}
+
 std::unique_ptr<Estimator> make_estimator(
   const LocalizerParams & params, const stetro_site::RobotGeometry & robot,
   const stetro_site::Flight & flight)

@@ -30,11 +30,6 @@ namespace
 constexpr double kOutsideMargin = 0.06;  // [m]
 constexpr double kOutsideTime = 0.5;     // [s]
 
-Nanoseconds nanoseconds(double duration_s)
-{
-  return std::chrono::duration_cast<Nanoseconds>(std::chrono::duration<double>(duration_s));
-}
-
 std::vector<double> risers_of(const stetro_site::Flight & flight)
 {
   std::vector<double> risers_m;

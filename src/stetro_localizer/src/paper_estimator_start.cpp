@@ -21,12 +21,6 @@
 
 namespace stetro_localizer
 {
-namespace
-{
-
-double squared(double value) { return value * value; }
-
-}  // namespace
 
 void PaperEstimator::begin(const StateReading & stored)
 {
@@ -64,16 +58,12 @@ std::optional<std::string> PaperEstimator::tell_pose(
     return why;
   }
   const int step = flight_.step_at(pose.x_m);
-  const auto variance = [&covariance](int i, double least_sigma) {
-    const double given = covariance(i, i);
-    return std::isfinite(given) ? std::max(given, squared(least_sigma)) : squared(0.1);
-  };
   steps_.tell(step);
   foot_assumed_ = false;
   floor_x_m_ = pose.x_m;
   floor_travel_m_ = travel_x_m_;
-  lateral_.reset(pose.y_m, variance(1, 0.01));
-  heading_.reset(pose.yaw_rad, variance(5, 0.01));
+  lateral_.reset(pose.y_m, told_variance(covariance, 1));
+  heading_.reset(pose.yaw_rad, told_variance(covariance, 5));
   closure_.clear();
   ++told_;
   ++step_changes_;

@@ -42,31 +42,11 @@ const std::array<stetro_site::Place, stetro_driver::kRangePlaces> & places()
   return all;
 }
 
-stetro_localizer::RangeStatus localizer_status(stetro_driver::RangeStatus status)
+/// \tparam To the localizer's or the supervisor's own, which name the same states
+template <class To>
+To status_as(stetro_driver::RangeStatus status)
 {
   using From = stetro_driver::RangeStatus;
-  using To = stetro_localizer::RangeStatus;
-  switch (status) {
-    case From::kValid:
-      return To::kValid;
-    case From::kTooNear:
-      return To::kTooNear;
-    case From::kNoTarget:
-      return To::kNoTarget;
-    case From::kWeak:
-      return To::kWeak;
-    case From::kStale:
-      return To::kStale;
-    case From::kFault:
-      break;
-  }
-  return To::kFault;
-}
-
-stetro_supervisor::RangeStatus supervisor_status(stetro_driver::RangeStatus status)
-{
-  using From = stetro_driver::RangeStatus;
-  using To = stetro_supervisor::RangeStatus;
   switch (status) {
     case From::kValid:
       return To::kValid;
@@ -191,7 +171,8 @@ std::optional<stetro_localizer::RangeSample> to_ranges(
       from.status == stetro_driver::RangeStatus::kValid && from.stamp + stale_after < frame.time;
     sample[places()[i]] = {
       from.stamp, from.range_m, std::isfinite(from.std_dev_m) ? from.std_dev_m : 0.0,
-      stale ? stetro_localizer::RangeStatus::kStale : localizer_status(from.status)};
+      stale ? stetro_localizer::RangeStatus::kStale
+            : status_as<stetro_localizer::RangeStatus>(from.status)};
   }
   return sample;
 }
@@ -208,7 +189,8 @@ void observe_ranges(const SensorFrame & frame, stetro_supervisor::Observation & 
     auto & last = seen.ranges[stetro_site::index_of(places()[i])];
     if (!last || last->measured != ranges[i].stamp) {  // a reading repeated is not a new one
       last = stetro_supervisor::Range{
-        frame.time, ranges[i].range_m, supervisor_status(ranges[i].status), ranges[i].stamp};
+        frame.time, ranges[i].range_m, status_as<stetro_supervisor::RangeStatus>(ranges[i].status),
+        ranges[i].stamp};
     }
   }
 }

@@ -111,6 +111,9 @@ public:
 [[nodiscard]] std::optional<std::string> implausible(
   const stetro_site::Pose & pose, const stetro_site::Flight & flight, double most_yaw_rad);
 
+/// Variance of row i of a told pose: at least 0.01 squared; 0.1 squared if none was given.
+[[nodiscard]] double told_variance(const stetro_site::Covariance & covariance, int i);
+
 /// The estimator that the parameters name.
 [[nodiscard]] std::unique_ptr<Estimator> make_estimator(
   const LocalizerParams & params, const stetro_site::RobotGeometry & robot,

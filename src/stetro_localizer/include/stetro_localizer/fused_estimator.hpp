@@ -71,7 +71,6 @@ private:
   [[nodiscard]] std::uint32_t pose_reasons() const;
 
   LocalizerParams params_;
-  stetro_site::RobotGeometry robot_;
   stetro_site::Flight flight_;
   FusedModel model_;
   History history_;

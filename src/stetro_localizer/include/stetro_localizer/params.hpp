@@ -227,7 +227,7 @@ void visit(LocalizerParams & p, Visitor && each)
 {
   return {
     static_cast<std::size_t>(params.window), static_cast<std::size_t>(params.least_count),
-    std::chrono::duration_cast<Nanoseconds>(std::chrono::duration<double>(params.max_age_s))};
+    nanoseconds(params.max_age_s)};
 }
 
 /// What contradicts each other although each value is in its bounds.

@@ -33,6 +33,12 @@ using Nanoseconds = std::chrono::nanoseconds;
   return std::chrono::duration<double>(duration).count();
 }
 
+/// The inverse; fractions of a nanosecond are cut off.
+[[nodiscard]] constexpr Nanoseconds nanoseconds(double duration_s)
+{
+  return std::chrono::duration_cast<Nanoseconds>(std::chrono::duration<double>(duration_s));
+}
+
 using stetro_site::Place;
 
 /// What the sensor says of its own reading. Only `kValid` carries a distance.

@@ -27,18 +27,12 @@ namespace
 
 constexpr std::size_t kMostInWindow = 256;  // samples: a quarter second of every source, twice
 
-Nanoseconds nanoseconds(double duration_s)
-{
-  return std::chrono::duration_cast<Nanoseconds>(std::chrono::duration<double>(duration_s));
-}
-
 }  // namespace
 
 FusedEstimator::FusedEstimator(
   const LocalizerParams & params, const stetro_site::RobotGeometry & robot,
   const stetro_site::Flight & flight)
 : params_(params),
-  robot_(robot),
   flight_(flight),
   model_(params, robot, flight),
   history_(model_, model_.begin(), nanoseconds(params.fused.window_s), kMostInWindow),

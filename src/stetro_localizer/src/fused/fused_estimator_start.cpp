@@ -67,16 +67,12 @@ std::optional<std::string> FusedEstimator::tell_pose(
     return why;
   }
   const int step = flight_.step_at(pose.x_m);
-  const auto variance = [&covariance](int i, double least_sigma) {
-    const double given = covariance(i, i);
-    return std::isfinite(given) ? std::max(given, squared(least_sigma)) : squared(0.1);
-  };
   FusedCore core = history_.core();
   core.steps.tell(step);
   model_.locate(core, step);
-  core.filter.set(kStateX, pose.x_m - core.edge_x_m, variance(0, 0.01));
-  core.filter.set(kStateY, pose.y_m, variance(1, 0.01));
-  core.filter.set(kStateYaw, pose.yaw_rad, variance(5, 0.01));
+  core.filter.set(kStateX, pose.x_m - core.edge_x_m, told_variance(covariance, 0));
+  core.filter.set(kStateY, pose.y_m, told_variance(covariance, 1));
+  core.filter.set(kStateYaw, pose.yaw_rad, told_variance(covariance, 5));
   history_.restart(core);
   ++told_;
   refresh();

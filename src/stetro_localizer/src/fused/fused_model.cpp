@@ -189,7 +189,6 @@ void FusedModel::locate(FusedCore & core, int step) const
   const double width_m = flight_.width_m(step == 0 ? 0.0 : flight_.tread_centre_m(step));
   filter.set(kStateWidth, width_m, squared(prior.width_m));
   core.edge_x_m = edge_ahead_m(step);
-  core.edge_variance_m2 = squared(prior.tread_m) * step;
   core.rise_m = flight_.tread_z_m(step);
   core.rise_variance_m2 = squared(prior.riser_m) * step;
   core.located_on = step;

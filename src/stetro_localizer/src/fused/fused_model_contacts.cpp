@@ -119,7 +119,6 @@ void FusedModel::use_contact(
   const double surprise_m2 = squared(innovation.value);
   if (innovation.nis() > gate_ && surprise_m2 < squared(params_.fused.contact_gate_m)) {
     core.filter.inflate(axis, surprise_m2);
-    ++core.slips_noticed;
   }
   if (use(core, source, gap, 0.0, variance) == Outcome::kFused) {
     ++core.landmarks;
@@ -201,7 +200,6 @@ void FusedModel::follow_step(FusedCore & core, std::optional<int> step) const
   const double riser_variance = squared(prior.riser_direction_rad);
   if (core.located_on == *step - 1) {
     core.edge_x_m += filter[kStateTreadAhead];
-    core.edge_variance_m2 += filter.variance(kStateTreadAhead);
     core.rise_m += flight_.riser_m(*step);
     core.rise_variance_m2 += squared(prior.riser_m);
     filter.climb(tread_m(*step + 1), tread_variance, riser_variance);

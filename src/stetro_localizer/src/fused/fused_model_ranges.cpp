@@ -174,7 +174,6 @@ void FusedModel::note_slip(FusedCore & core, int axis, double normalised) const
   if (watch.add(normalised)) {
     core.filter.inflate(axis, squared(params_.fused.slip_jump_m));
     core.slipping_until = core.time + kSlipGoesOn;
-    ++core.slips_noticed;
   }
 }
 

@@ -34,11 +34,6 @@ constexpr std::chrono::milliseconds kStallCheck{500};
 constexpr int kStalledChecks = 4;               // so many without time passing: the clock stalls
 constexpr std::chrono::seconds kOldestPose{5};  // that a person tells
 
-Nanoseconds nanoseconds(double duration_s)
-{
-  return std::chrono::duration_cast<Nanoseconds>(std::chrono::duration<double>(duration_s));
-}
-
 LocalizerSetup setup_of(const LocalizerParams & params)
 {
   stetro_config::Faults faults;

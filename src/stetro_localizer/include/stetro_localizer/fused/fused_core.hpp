@@ -68,14 +68,12 @@ struct FusedCore
   Nanoseconds slipping_until{0};                    ///< a slip that was noticed may go on
   std::optional<int> located_on;  ///< step that x and the treads of the state belong to
   double edge_x_m = 0.0;          ///< X of the riser ahead in the flight frame, as built so far [m]
-  double edge_variance_m2 = 0.0;  ///< of it
   double rise_m = 0.0;            ///< height of the tread of block 2, as built so far [m]
   double rise_variance_m2 = 0.0;
   Nanoseconds since{0};                               ///< time of the first sample
   std::array<RangeMonitor, kRangerCount> monitors{};  ///< by `Ranger`
   std::uint64_t landmarks = 0;  ///< contacts and changes of the step: worth keeping
-  std::uint32_t slips_noticed = 0;
-  std::uint32_t jumps = 0;  ///< of the state, other than by measurements
+  std::uint32_t jumps = 0;      ///< of the state, other than by measurements
 };
 
 }  // namespace stetro_localizer
