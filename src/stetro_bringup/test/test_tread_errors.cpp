@@ -49,6 +49,7 @@ stetro_driver::GroundTruth truth_on_tread_2()
   truth.heading_rad = 0.012;
   truth.tread_x_m = 0.560 - 0.325;
   truth.riser_ahead_m = 0.648 - 0.560;
+  truth.block_heights_m = {0.423, 0.283, 0.283};
   return truth;
 }
 
@@ -58,6 +59,7 @@ stetro_localizer::StairEstimate estimate_on(int step, double x_m)
   estimate.step = step;
   estimate.pose = {x_m, 1.004, 0.14 * step, 0.013};
   estimate.tread_x_m = x_m - 0.32 * (step - 1);
+  estimate.block_heights_m = {0.14 * (step + 1), 0.14 * step, 0.14 * step};
   return estimate;
 }
 
@@ -73,6 +75,17 @@ TEST(TreadErrors, AreAgainstTheRisersWallsAndTreadsAsBuilt)
   EXPECT_NEAR(errors.heading_to_riser_rad, 0.001, 1e-12);
   EXPECT_NEAR(errors.flight_x_m, -0.005, 1e-12);
   EXPECT_NEAR(errors.flight_z_m, -0.003, 1e-12);
+}
+
+TEST(TreadErrors, ZFollowsTheLiftedBlock)
+{
+  auto truth = truth_on_tread_2();
+  truth.block_heights_m[1] += 0.152;
+  auto estimate = estimate_on(2, 0.555);
+  estimate.block_heights_m[1] += 0.150;
+  const TreadErrors errors = errors_of(estimate, truth, drawn_flight());
+  EXPECT_NEAR(errors.z_m, -0.002, 1e-12);
+  EXPECT_NEAR(errors.flight_z_m, -0.003, 1e-12) << "base_link stays on the tread";
 }
 
 TEST(TreadErrors, AWrongStepCostsATreadAndARiser)

@@ -51,7 +51,7 @@ bool complete(const TreadErrors & e)
   return std::isfinite(e.x_m + e.x_behind_m + e.y_m + e.z_m + e.heading_rad);
 }
 
-/// Which of the side and front sensors entered the estimate last.
+/// Which of the side and front sensors have their target in sight, believed or not.
 std::uint32_t sensors_in_use(const Estimator & estimator)
 {
   static const auto kSources = [] {
@@ -66,8 +66,9 @@ std::uint32_t sensors_in_use(const Estimator & estimator)
   }();
   std::uint32_t in_use = 0;
   for (const Source source : kSources) {
-    const bool fused = estimator.reports()[source].outcome == Outcome::kFused;
-    in_use = in_use << 1U | (fused ? 1U : 0U);
+    const Outcome outcome = estimator.reports()[source].outcome;
+    const bool sees = outcome == Outcome::kFused || outcome == Outcome::kGated;
+    in_use = in_use << 1U | (sees ? 1U : 0U);
   }
   return in_use;
 }

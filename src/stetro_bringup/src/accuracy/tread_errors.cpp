@@ -67,7 +67,8 @@ TreadErrors errors_of(
     errors.x_m = truth.riser_ahead_m - or_else(told_ahead_m, tread_end_m - estimate.pose.x_m);
   }
   errors.y_m = estimate.pose.y_m - truth.y_m;
-  errors.z_m = estimate.pose.z_m - flight.tread_z_m(step);
+  const double told_block2_m = or_else(estimate.block_heights_m[1], estimate.pose.z_m);
+  errors.z_m = told_block2_m - flight.tread_z_m(step) - (truth.block_heights_m[1] - truth.z_m);
   errors.heading_rad = wrapped(estimate.pose.yaw_rad - truth.yaw_rad);
   errors.heading_to_riser_rad = wrapped(estimate.pose.yaw_rad - truth.heading_rad);
   errors.flight_x_m = estimate.pose.x_m - truth.x_m;

@@ -32,7 +32,8 @@ namespace stetro_bringup
  *            last tread, where no riser is left, it is `x_behind`.
  *   x_behind from the riser behind, likewise: estimated less true distance
  *   y        from the right wall
- *   z        above the tread, by the site file's tread and by the built one
+ *   z        of block 2's underside above the tread, lifted or not: the estimate's less the drawn
+ *            tread's, against the truth above the built one
  *   heading  in the flight frame: the yaw
  *
  * Errors in the flight frame are against the site file's drawing: what the risers and treads below
