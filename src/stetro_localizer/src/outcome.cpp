@@ -82,6 +82,8 @@ const char * to_string(Source source)
       return "front_left";
     case Source::kFrontRight:
       return "front_right";
+    case Source::kBlock3Front:
+      return "block3_front";
     case Source::kBumperLeft:
       return "bumper_left";
     case Source::kBumperRight:

@@ -67,6 +67,7 @@ private:
   void refresh_covariance();
   void refresh_protection();
   void refresh_integrity();
+  [[nodiscard]] bool recent(Ranger ranger) const;  ///< it corrected a moment ago
   [[nodiscard]] std::uint32_t sensor_reasons() const;
   [[nodiscard]] std::uint32_t pose_reasons() const;
 

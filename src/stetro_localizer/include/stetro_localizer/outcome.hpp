@@ -70,11 +70,12 @@ enum class Source {
   kFrontPair,
   kFrontLeft,
   kFrontRight,
+  kBlock3Front,
   kBumperLeft,
   kBumperRight,
   kRiserSwitches
 };
-constexpr std::size_t kSourceCount = 13;
+constexpr std::size_t kSourceCount = 14;
 
 /// The source's name on the wire and in reports.
 [[nodiscard]] const char * to_string(Source source);

@@ -40,8 +40,8 @@ struct Calibration
 /// Constant errors that the fused estimator learned, with what it knows of their doubt.
 struct FusedCalibration
 {
-  /// Offset [m] and gain [-] of side_left, side_right, front_left, front_right; wheel scale [-].
-  static constexpr std::size_t kSize = 9;
+  /// Offset [m] and gain [-] of each `Ranger` in turn; scale of the wheels [-].
+  static constexpr std::size_t kSize = 11;
   std::array<double, kSize> value{};
   std::array<std::array<double, kSize>, kSize> covariance{};
 };

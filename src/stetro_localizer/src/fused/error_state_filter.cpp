@@ -34,6 +34,8 @@ constexpr std::array<int, FusedCalibration::kSize> kKept{
   gain_index(Ranger::kFrontLeft),
   offset_index(Ranger::kFrontRight),
   gain_index(Ranger::kFrontRight),
+  offset_index(Ranger::kBlock3Front),
+  gain_index(Ranger::kBlock3Front),
   int{kStateOdomScale}};
 
 }  // namespace
@@ -115,22 +117,17 @@ Innovation ErrorStateFilter::innovation(
 // P - h h^T / S, symmetric to the last bit. Rows of considered states have gain zero, and what
 // stands between two of them keeps its value.
 void ErrorStateFilter::correct(
-  const Expectation & expectation, const Innovation & innovation, Corrects corrects)
+  const Expectation & expectation, const Innovation & innovation, const Corrects & corrects)
 {
   StateVector h = StateVector::Zero();
   for (const auto & entry : expectation) {
     h += entry.slope * P_.col(entry.index);
   }
   h /= std::sqrt(innovation.variance);
-  const double normalised = innovation.value / std::sqrt(innovation.variance);
-  if (corrects == Corrects::kAll) {
-    x_ += h * normalised;
-    P_.noalias() -= h * h.transpose();
-    return;
-  }
-  x_[kStateX] += h[kStateX] * normalised;
-  P_.col(kStateX) -= h[kStateX] * h;
-  P_.row(kStateX) = P_.col(kStateX).transpose();
+  const StateVector k = corrects.of(h);
+  x_ += k * (innovation.value / std::sqrt(innovation.variance));
+  P_.noalias() -= k * h.transpose();
+  P_.noalias() -= (h - k) * k.transpose();
 }
 
 void ErrorStateFilter::copy_row(int to, int from)

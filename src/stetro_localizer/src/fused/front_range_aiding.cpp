@@ -35,9 +35,11 @@ Expectation FrontRangeAiding::expect(
   const double off_middle_m = state[kStateY] + across_m - state[kStateWidth] / 2.0;
 
   double face_m = 0.0;
-  double rho = 0.0;  // nothing is known of the riser after the next
+  double rho = 0.0;  // nothing is known of the riser behind and of the one after the next
   int direction = -1;
-  if (seen == SeenRiser::kAhead) {
+  if (seen == SeenRiser::kBehind) {
+    face_m = -state[kStateTreadHere];
+  } else if (seen == SeenRiser::kAhead) {
     direction = kStateRiserAhead;
   } else {
     face_m = state[kStateTreadAhead] + beyond_m;
@@ -62,7 +64,9 @@ Expectation FrontRangeAiding::expect(
   expectation.depends_on(kStateYaw, turning + per_metre * (along_m * t + across_m));
   expectation.depends_on(offset_index(ranger_), 1.0);
   expectation.depends_on(gain_index(ranger_), stretch * square_m);
-  if (seen != SeenRiser::kAhead) {
+  if (seen == SeenRiser::kBehind) {
+    expectation.depends_on(kStateTreadHere, -per_metre);
+  } else if (seen != SeenRiser::kAhead) {
     expectation.depends_on(kStateTreadAhead, per_metre);
   }
   if (direction >= 0) {

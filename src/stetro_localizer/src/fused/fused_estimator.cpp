@@ -162,8 +162,7 @@ void FusedEstimator::refresh_position()
   }
   const int step = *core.located_on;
   estimate_.pose.x_m = core.edge_x_m + filter[kStateX];
-  // base_link is on block 2's footprint: it rises with the block.
-  estimate_.pose.z_m = core.rise_m + estimate_.block_heights_m[1] - flight_.tread_z_m(step);
+  estimate_.pose.z_m = core.rise_m;  // base_link is on the tread, block 2 may be above it
   if (step > 0) {
     estimate_.tread_x_m = filter[kStateX] + filter[kStateTreadHere];
   }

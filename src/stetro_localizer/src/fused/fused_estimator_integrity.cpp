@@ -30,18 +30,31 @@ std::uint32_t flag(bool raised, std::uint32_t reason) { return raised ? reason :
 
 }  // namespace
 
-// The filter's own doubt at the integrity risk, and what a slip does before it is noticed.
+bool FusedEstimator::recent(Ranger ranger) const
+{
+  const FusedCore & core = history_.core();
+  return seconds(core.time - core.used_at[static_cast<std::size_t>(ranger)]) < kRecent;
+}
+
+// The doubt of the filter at the integrity risk, and what a slip does before it is noticed.
 void FusedEstimator::refresh_protection()
 {
   const FusedCore & core = history_.core();
-  const auto bound = [&](int index) {
-    return risk_quantile_ * std::sqrt(core.filter.variance(index));
-  };
   const bool known = core.located_on.has_value();
-  const double slip_m = params_.fused.alerts.unnoticed_slip_m;
-  estimate_.protection_along_m = known ? bound(kStateX) + slip_m : kUnknown;
-  estimate_.protection_across_m = known ? bound(kStateY) + slip_m : kUnknown;
-  estimate_.protection_heading_rad = known ? bound(kStateYaw) : kUnknown;
+  const auto bound = [this](int axis) {
+    return risk_quantile_ * std::sqrt(estimate_.covariance(axis, axis));
+  };
+  // A slip is rare and long, no part of a normal distribution: it adds as a whole.
+  const auto slip_m = [&](bool in_sight) {
+    const FusedAlerts & alert = params_.fused.alerts;
+    return in_sight ? alert.unnoticed_slip_m : alert.unseen_slip_m;
+  };
+  const bool riser =
+    recent(Ranger::kFrontLeft) || recent(Ranger::kFrontRight) || recent(Ranger::kBlock3Front);
+  const bool wall = recent(Ranger::kSideLeft) || recent(Ranger::kSideRight);
+  estimate_.protection_along_m = known ? bound(0) + slip_m(riser) : kUnknown;
+  estimate_.protection_across_m = known ? bound(1) + slip_m(wall) : kUnknown;
+  estimate_.protection_heading_rad = known ? bound(5) : kUnknown;
   estimate_.integrity_risk = params_.fused.integrity_risk;
 }
 
@@ -64,10 +77,11 @@ std::uint32_t FusedEstimator::sensor_reasons() const
   const FusedCore & core = history_.core();
   const FusedAlerts & alert = params_.fused.alerts;
   std::uint32_t reasons = flag(silent_, kInputSilent);
-  for (std::size_t i = 0; i < kRangerCount; ++i) {
-    const RangeMonitor & monitor = core.monitors[i];
+  for (const RangeMonitor & monitor : core.monitors) {
     reasons |= flag(monitor.dead(core.time, core.since, alert.dead_s), kSensorDead);
     reasons |= flag(monitor.stuck(), kSensorStuck);
+  }
+  for (std::size_t i = 0; i < kRangerCount; ++i) {
     const auto ranger = static_cast<Ranger>(i);
     const bool beyond_trust = std::abs(core.filter[offset_index(ranger)]) > alert.offset_m ||
                               std::abs(core.filter[gain_index(ranger)]) > alert.gain;
@@ -89,9 +103,6 @@ std::uint32_t FusedEstimator::pose_reasons() const
 {
   const FusedCore & core = history_.core();
   const FusedAlerts & alert = params_.fused.alerts;
-  const auto recent = [&core](Ranger ranger) {
-    return seconds(core.time - core.used_at[static_cast<std::size_t>(ranger)]) < kRecent;
-  };
   std::uint32_t reasons =
     flag(!recent(Ranger::kSideLeft) && !recent(Ranger::kSideRight), kNoSideRange);
   reasons |= flag(

@@ -34,10 +34,9 @@ SideRangeAiding side_aiding(Side side, const stetro_site::RobotGeometry & robot)
   return {side, {mount.x_m, mount.y_m}, ConeOnWall(robot.range_sensor.cone_rad)};
 }
 
-FrontRangeAiding front_aiding(Ranger ranger, const stetro_site::RobotGeometry & robot)
+FrontRangeAiding front_aiding(Ranger ranger, Place place, const stetro_site::RobotGeometry & robot)
 {
-  const auto & mount =
-    robot.at(ranger == Ranger::kFrontLeft ? Place::kFrontLeft : Place::kFrontRight);
+  const auto & mount = robot.at(place);
   return {ranger, mount.x_m, mount.y_m, ConeOnWall(robot.range_sensor.cone_rad)};
 }
 
@@ -52,13 +51,18 @@ FusedModel::FusedModel(
   step_model_(flight, robot, params.fused.steps),
   gate_(squared(two_sided_quantile(params.fused.gate_false_alarm))),
   sides_{side_aiding(Side::kLeft, robot), side_aiding(Side::kRight, robot)},
-  fronts_{front_aiding(Ranger::kFrontLeft, robot), front_aiding(Ranger::kFrontRight, robot)}
+  fronts_{
+    front_aiding(Ranger::kFrontLeft, Place::kFrontLeft, robot),
+    front_aiding(Ranger::kFrontRight, Place::kFrontRight, robot)},
+  block3_front_(front_aiding(Ranger::kBlock3Front, Place::kBlock3Front, robot))
 {
 }
 
 FusedCore FusedModel::begin() const
 {
-  FusedCore core(step_model_, params_.standstill);
+  FusedCore core(
+    step_model_, params_.standstill,
+    SlipWatch(params_.fused.slip_m, params_.fused.slip_false_alarm));
   const FusedPriors & prior = params_.fused.priors;
   const double width_m = flight_.width_m(0.0);
   core.filter.set(kStateY, width_m / 2.0, squared(width_m) / 12.0);
@@ -151,7 +155,7 @@ void FusedModel::take_one(FusedCore & core, const GyroSample & sample) const
 
 Outcome FusedModel::use(
   FusedCore & core, Source source, const Expectation & expectation, double measured,
-  double variance, Corrects corrects) const
+  double variance, const Corrects & corrects) const
 {
   const Innovation innovation = core.filter.innovation(expectation, measured, variance);
   SourceReport & report = core.reports[source];
@@ -192,6 +196,9 @@ void FusedModel::locate(FusedCore & core, int step) const
   core.rise_m = flight_.tread_z_m(step);
   core.rise_variance_m2 = squared(prior.riser_m) * step;
   core.located_on = step;
+  for (SlipWatch & watch : core.slips) {
+    watch.clear();
+  }
   core.closure = ContactClosure(width_m, robot_.contact_width_m);
   ++core.jumps;
 }

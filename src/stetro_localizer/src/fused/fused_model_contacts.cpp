@@ -121,6 +121,7 @@ void FusedModel::use_contact(
     core.filter.inflate(axis, surprise_m2);
   }
   if (use(core, source, gap, 0.0, variance) == Outcome::kFused) {
+    core.slips[axis == kStateX ? 0 : 1].clear();  // it has been corrected
     ++core.landmarks;
   }
 }

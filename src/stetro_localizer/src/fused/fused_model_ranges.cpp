@@ -28,9 +28,13 @@ namespace
 {
 
 constexpr Nanoseconds kSlipGoesOn = std::chrono::milliseconds(200);
+constexpr double kSteady = 6.0;        // standard deviations between one reading and the next
+constexpr double kFastest = 0.5;       // a range changes [m/s]
+constexpr double kKnownBetter = 3.0;   // another source told the heading so many times better
+constexpr double kSureOfSide = 3.0;    // standard deviations of the heading
 constexpr double kResolution = 0.001;  // readings come in whole millimetres [m]
 
-constexpr std::array<std::pair<Ranger, Place>, kRangerCount> kWatched{{
+constexpr std::array<std::pair<Ranger, Place>, kWatchedCount> kWatched{{
   {Ranger::kSideLeft, Place::kSideLeft},
   {Ranger::kSideRight, Place::kSideRight},
   {Ranger::kFrontLeft, Place::kFrontLeft},
@@ -49,6 +53,13 @@ double FusedModel::range_variance_m2(double range_m) const
 void FusedModel::take_one(FusedCore & core, const RangeSample & sample) const
 {
   advance(core, sample.stamp);
+  RangeSample confirmed = sample;
+  for (const Place place : stetro_site::kPlaces) {
+    const RangeReading & reading = sample[place];
+    if (reading.status == RangeStatus::kValid && !confirms(core.last_ranges[place], reading)) {
+      confirmed[place].status = RangeStatus::kWeak;
+    }
+  }
   for (const Place place : stetro_site::kPlaces) {
     if (sample[place].status != RangeStatus::kAbsent) {
       core.last_ranges[place] = sample[place];
@@ -60,10 +71,21 @@ void FusedModel::take_one(FusedCore & core, const RangeSample & sample) const
   if (!core.located_on) {
     return;
   }
-  take_side(core, Side::kLeft, sample[Place::kSideLeft]);
-  take_side(core, Side::kRight, sample[Place::kSideRight]);
-  take_front(core, fronts_[0], sample[Place::kFrontLeft]);
-  take_front(core, fronts_[1], sample[Place::kFrontRight]);
+  take_side(core, Side::kLeft, confirmed[Place::kSideLeft]);
+  take_side(core, Side::kRight, confirmed[Place::kSideRight]);
+  take_front(core, fronts_[0], confirmed[Place::kFrontLeft]);
+  take_front(core, fronts_[1], confirmed[Place::kFrontRight]);
+  take_block3_front(core, confirmed[Place::kBlock3Front]);
+}
+
+// A sensor whose target is out of reach now and then reports what is not there; twice in a row the
+// same, it hardly does.
+bool FusedModel::confirms(const RangeReading & before, const RangeReading & now) const
+{
+  const double between_s = seconds(now.stamp - before.stamp);
+  const double sigma_m = std::sqrt(range_variance_m2(now.range_m));
+  return before.status == RangeStatus::kValid && between_s <= params_.max_sample_age_s &&
+         std::abs(now.range_m - before.range_m) <= kSteady * sigma_m + kFastest * between_s;
 }
 
 void FusedModel::take_side(FusedCore & core, Side side, const RangeReading & reading) const
@@ -85,14 +107,62 @@ void FusedModel::take_side(FusedCore & core, Side side, const RangeReading & rea
     return;
   }
   const Expectation expected = aiding.expect(core.filter.state());
+  // What answers from nearer than a wall that is out of reach is not the wall.
+  const double variance = range_variance_m2(expected.value());
+  const double spread_m =
+    std::sqrt(gate_ * core.filter.innovation(expected, reading.range_m, variance).variance);
+  if (expected.value() - spread_m > robot_.range_sensor.reliable_range_m) {
+    core.reports[source].note({Outcome::kNotVisible, Refusal::kNone});
+    return;
+  }
+  const double y_variance = core.filter.variance(kStateY);
   const Outcome outcome =
-    use(core, source, expected, reading.range_m, range_variance_m2(expected.value()));
+    use(core, source, expected, reading.range_m, variance, side_corrects(core));
   const SourceReport & report = core.reports[source];
-  const double z = report.innovation / std::sqrt(report.innovation_variance);
-  note_slip(core, kStateY, left ? -z : z);
+  note_slip(core, kStateY, left ? -report.innovation : report.innovation, report, y_variance);
   if (outcome == Outcome::kFused) {
     core.used_at[static_cast<std::size_t>(aiding.ranger())] = core.time;
   }
+}
+
+// A range tells only what it can. What it depends on by a product (gain and distance) or nearly
+// alike (offset and heading) it cannot tell apart before another source knows one of the two;
+// linearised at one doubtful estimate after the other it would seem to (in SLAM: Huang, Mourikis
+// and Roumeliotis 2010). A side range moreover grows with the slant to either side alike.
+Corrects FusedModel::side_corrects(const FusedCore & core) const
+{
+  const ErrorStateFilter & filter = core.filter;
+  Corrects corrects = Corrects::all();
+  if (squared(filter[kStateYaw]) < squared(kSureOfSide) * filter.variance(kStateYaw)) {
+    corrects = corrects.but(kStateYaw);
+  }
+  if (filter.variance(kStateY) > squared(params_.fused.priors.range_offset_m)) {
+    for (const Ranger ranger : {Ranger::kSideLeft, Ranger::kSideRight}) {
+      corrects = corrects.but(offset_index(ranger)).but(gain_index(ranger));
+    }
+  }
+  return corrects;
+}
+
+// The pair tells the heading as well as it is calibrated and no better, however often it is asked.
+Corrects FusedModel::front_corrects(const FusedCore & core, double range_m) const
+{
+  const FusedPriors & prior = params_.fused.priors;
+  const double apart_m = robot_.at(Place::kFrontLeft).y_m - robot_.at(Place::kFrontRight).y_m;
+  const double error_m = std::hypot(prior.range_offset_m, prior.range_gain * range_m);
+  const double told = 2.0 * squared(error_m / apart_m);  // variance [rad^2]
+  const double variance = core.filter.variance(kStateYaw);
+  if (variance < told / squared(kKnownBetter)) {
+    return Corrects::all();
+  }
+  if (variance < told) {
+    return Corrects::only(kStateX);
+  }
+  Corrects corrects = Corrects::all();
+  for (const Ranger ranger : {Ranger::kFrontLeft, Ranger::kFrontRight}) {
+    corrects = corrects.but(offset_index(ranger)).but(gain_index(ranger));
+  }
+  return corrects;
 }
 
 void FusedModel::take_front(
@@ -118,12 +188,16 @@ void FusedModel::take_front(
     report.note({Outcome::kNotVisible, Refusal::kNone});
     return;
   }
-  // Past the edges of the riser the cone takes in the tread below and the one above.
+  const Expectation expected = aiding.expect(
+    core.filter.state(), static_cast<SeenRiser>(beyond), beyond == 2 ? tread_m(*seen - 1) : 0.0);
+  // Past the edges of the riser the cone takes in the tread below and the one above. That shortens
+  // the reading, so it must not be what tells that the cone is clear.
   const double clear_m =
     std::min(beam_z_m - flight_.tread_z_m(*seen - 1), flight_.tread_z_m(*seen) - beam_z_m);
-  const bool clipped = reading.range_m * std::tan(robot_.range_sensor.cone_rad / 2.0) > clear_m;
+  const double far_m = std::max(reading.range_m, expected.value());
+  const bool clipped = far_m * std::tan(robot_.range_sensor.cone_rad / 2.0) > clear_m;
   // What else it sees shifts all readings alike: no number of them tells more than this of x.
-  const double shift = squared(params_.fused.noise.clipped_share * reading.range_m);
+  const double shift = squared(params_.fused.noise.clipped_share * far_m);
   if (clipped && core.filter.variance(kStateX) < shift) {
     report.note({Outcome::kNotVisible, Refusal::kNone});
     return;
@@ -131,13 +205,12 @@ void FusedModel::take_front(
   double variance = range_variance_m2(reading.range_m);
   variance += clipped ? shift : 0.0;
   variance += beyond == 2 ? squared(params_.fused.priors.tread_m) : 0.0;
-  const auto target = static_cast<SeenRiser>(beyond);
+  const double x_variance = core.filter.variance(kStateX);
   const Outcome outcome = use(
-    core, left ? Source::kFrontLeft : Source::kFrontRight,
-    aiding.expect(core.filter.state(), target, beyond == 2 ? tread_m(*seen - 1) : 0.0),
-    reading.range_m, variance, clipped || beyond == 2 ? Corrects::kAlongOnly : Corrects::kAll);
+    core, left ? Source::kFrontLeft : Source::kFrontRight, expected, reading.range_m, variance,
+    clipped || beyond == 2 ? Corrects::only(kStateX) : front_corrects(core, reading.range_m));
   if (!clipped) {
-    note_slip(core, kStateX, -report.innovation / std::sqrt(report.innovation_variance));
+    note_slip(core, kStateX, -report.innovation, report, x_variance);
   }
   if (outcome == Outcome::kFused) {
     core.used_at[static_cast<std::size_t>(aiding.ranger())] = core.time;
@@ -146,6 +219,53 @@ void FusedModel::take_front(
 
 // The side walls end some way before and behind the flight. A cone that looks past an end measures
 // the nearer part of the wall alone: 15 mm short at 20 deg, half a metre before the stairs.
+void FusedModel::take_block3_front(FusedCore & core, const RangeReading & reading) const
+{
+  if (reading.status == RangeStatus::kAbsent) {
+    return;
+  }
+  SourceReport & report = core.reports[Source::kBlock3Front];
+  const auto seen =
+    reading.status == RangeStatus::kValid ? block3_sees(core, reading.range_m) : std::nullopt;
+  if (!seen) {
+    report.note({Outcome::kNotVisible, Refusal::kNone});
+    return;
+  }
+  double variance = range_variance_m2(reading.range_m);
+  if (*seen == SeenRiser::kBehind) {  // its direction is forgotten
+    const double off_middle_m = core.filter[kStateY] - core.filter[kStateWidth] / 2.0;
+    variance += squared(off_middle_m * params_.fused.priors.riser_direction_rad);
+  }
+  const double x_variance = core.filter.variance(kStateX);
+  const Expectation expected = block3_front_.expect(core.filter.state(), *seen);
+  if (use(core, Source::kBlock3Front, expected, reading.range_m, variance) == Outcome::kFused) {
+    core.used_at[static_cast<std::size_t>(Ranger::kBlock3Front)] = core.time;
+  }
+  note_slip(core, kStateX, -report.innovation, report, x_variance);
+}
+
+// While block 3 is the lowest it looks below block 2 at the riser that block 2 passes or passed.
+std::optional<SeenRiser> FusedModel::block3_sees(const FusedCore & core, double range_m) const
+{
+  const auto heights = core.steps.heights_in_flight();
+  if (!heights) {
+    return std::nullopt;
+  }
+  const double beam_z_m = (*heights)[2] + robot_.at(Place::kBlock3Front).height_m;
+  const auto seen = riser_ahead(flight_, beam_z_m, params_.heading.nosing_margin_m);
+  const int beyond = seen ? *seen - (*core.located_on + 1) : -2;
+  if (beyond < -1 || beyond > 0) {
+    return std::nullopt;
+  }
+  const double below_m = beam_z_m - flight_.tread_z_m(*seen - 1);
+  const double above_m = std::min((*heights)[1], flight_.tread_z_m(*seen)) - beam_z_m;
+  const double reach_m = range_m * std::tan(robot_.range_sensor.cone_rad / 2.0);
+  if (std::min(below_m, above_m) < std::max(reach_m, params_.heading.nosing_margin_m)) {
+    return std::nullopt;
+  }
+  return static_cast<SeenRiser>(beyond);
+}
+
 bool FusedModel::wall_fills_cone(const FusedCore & core, double range_m) const
 {
   const double overrun_m = flight_.spec().wall_overrun_m;
@@ -168,11 +288,16 @@ bool FusedModel::sees_side_wall(const FusedCore & core, Place place, double rang
   return beam_y_m < reach_m || core.filter[kStateWidth] - beam_y_m < reach_m;
 }
 
-void FusedModel::note_slip(FusedCore & core, int axis, double normalised) const
+void FusedModel::note_slip(
+  FusedCore & core, int axis, double innovation_m, const SourceReport & report,
+  double variance_before) const
 {
-  SlipWatch & watch = core.slips[axis == kStateX ? 0 : 1];
-  if (watch.add(normalised)) {
-    core.filter.inflate(axis, squared(params_.fused.slip_jump_m));
+  ErrorStateFilter & filter = core.filter;
+  const double kept = filter.variance(axis) / variance_before;
+  const auto slip =
+    core.slips[axis == kStateX ? 0 : 1].add(innovation_m, report.innovation_variance, kept);
+  if (slip) {
+    filter.shift(axis, slip->shift_m, slip->variance_m2);
     core.slipping_until = core.time + kSlipGoesOn;
   }
 }

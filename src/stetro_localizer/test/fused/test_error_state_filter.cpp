@@ -122,7 +122,7 @@ TEST(ErrorStateFilter, ConsideredStatesAreNotCorrected)
     expectation.depends_on(i, 1.0);
   }
   const Innovation innovation = filter.innovation(expectation, 0.1, 0.01);
-  filter.correct(expectation, innovation, Corrects::kAlongOnly);
+  filter.correct(expectation, innovation, Corrects::only(kStateX));
   StateVector K = P * H / innovation.variance;
   K.tail<kStateCount - 1>().setZero();
   const StateMatrix L = StateMatrix::Identity() - K * H.transpose();
@@ -130,6 +130,83 @@ TEST(ErrorStateFilter, ConsideredStatesAreNotCorrected)
   EXPECT_LT((filter.covariance() - joseph).cwiseAbs().maxCoeff(), 1e-12);
   for (int i = kStateX + 1; i < kStateCount; ++i) {
     EXPECT_EQ(filter[i], before[i]);
+  }
+}
+
+// Schmidt's filter in Joseph's form, the gain of every held state zero.
+TEST(ErrorStateFilter, CorrectsAllButTheHeldOnes)
+{
+  for (unsigned seed = 11; seed < 31; ++seed) {
+    ErrorStateFilter filter = entangled(seed);
+    const StateVector before = filter.state();
+    const StateMatrix P = filter.covariance();
+    Expectation expectation(0.2);
+    StateVector H = StateVector::Zero();
+    for (const int i : {0, 1, 2, 7, 12, 13}) {
+      H[i] = 0.2 * (i + 1) - 1.0;
+      expectation.depends_on(i, H[i]);
+    }
+    const double R = 0.01;
+    const Innovation innovation = filter.innovation(expectation, 0.3, R);
+    filter.correct(
+      expectation, innovation,
+      Corrects::all().but(kStateYaw).but(kStateFirstCalibration).but(kStateCount - 1));
+    StateVector K = P * H / innovation.variance;
+    for (const int held : {+kStateYaw, +kStateFirstCalibration, kStateCount - 1}) {
+      K[held] = 0.0;
+      EXPECT_EQ(filter[held], before[held]);
+      EXPECT_EQ(filter.variance(held), P(held, held));
+    }
+    const StateMatrix L = StateMatrix::Identity() - K * H.transpose();
+    const StateMatrix joseph = L * P * L.transpose() + R * K * K.transpose();
+    EXPECT_LT((filter.covariance() - joseph).cwiseAbs().maxCoeff(), 1e-12);
+    EXPECT_LT((filter.state() - before - K * 0.1).cwiseAbs().maxCoeff(), 1e-12);
+    EXPECT_EQ(filter.covariance(), filter.covariance().transpose());
+    EXPECT_EQ(filter.covariance()(kStateYaw, kStateCount - 1), P(kStateYaw, kStateCount - 1));
+  }
+}
+
+TEST(ErrorStateFilter, HoldingAllButOneIsCorrectingOne)
+{
+  ErrorStateFilter one = entangled(31);
+  ErrorStateFilter other = one;
+  Expectation expectation(0.0);
+  expectation.depends_on(kStateY, 1.0);
+  expectation.depends_on(kStateYaw, -0.4);
+  const Innovation innovation = one.innovation(expectation, 0.1, 0.01);
+  Corrects corrects = Corrects::all();
+  for (int i = 0; i < kStateCount; ++i) {
+    corrects = i == kStateY ? corrects : corrects.but(i);
+  }
+  one.correct(expectation, innovation, Corrects::only(kStateY));
+  other.correct(expectation, innovation, corrects);
+  EXPECT_EQ(one.state(), other.state());
+  EXPECT_EQ(one.covariance(), other.covariance());
+}
+
+TEST(ErrorStateFilter, ShiftsOneStateWithItsOwnDoubt)
+{
+  ErrorStateFilter filter = entangled(32);
+  const StateVector before = filter.state();
+  StateMatrix P = filter.covariance();
+  filter.shift(kStateY, 0.005, 1.6e-5);
+  P(kStateY, kStateY) += 1.6e-5;
+  EXPECT_EQ(filter.covariance(), P);
+  EXPECT_LT((filter.state() - before - 0.005 * StateVector::Unit(kStateY)).norm(), 1e-15);
+}
+
+/// What the 20000 corrections below may change: all, x alone, all but one or all but several.
+Corrects some_states(int i)
+{
+  switch (i % 5) {
+    case 0:
+      return Corrects::only(kStateX);
+    case 1:
+      return Corrects::all().but(kStateYaw);
+    case 2:
+      return Corrects::all().but(i % kStateCount).but((i / 5) % kStateCount);
+    default:
+      return Corrects::all();
   }
 }
 
@@ -146,8 +223,7 @@ TEST(ErrorStateFilter, StaysSymmetricAndPositive)
     }
     const double variance = std::pow(10.0, -4.0 - 6.0 * (i % 3));
     filter.correct(
-      expectation, filter.innovation(expectation, 1e-3 * normal(random), variance),
-      i % 5 == 0 ? Corrects::kAlongOnly : Corrects::kAll);
+      expectation, filter.innovation(expectation, 1e-3 * normal(random), variance), some_states(i));
     if (i % 500 == 0) {
       const StateMatrix & P = filter.covariance();
       ASSERT_EQ(P, P.transpose());

@@ -26,7 +26,8 @@ namespace
 
 TEST(FrontRangeAiding, JacobianHolds)
 {
-  for (const SeenRiser seen : {SeenRiser::kAhead, SeenRiser::kNext, SeenRiser::kAfterNext}) {
+  for (const SeenRiser seen :
+       {SeenRiser::kBehind, SeenRiser::kAhead, SeenRiser::kNext, SeenRiser::kAfterNext}) {
     const FrontRangeAiding aiding(Ranger::kFrontRight, 0.19, -0.1, ConeOnWall(0.4363));
     expect_jacobian_holds(
       [&](const StateVector & state) { return aiding.expect(state, seen, 0.32); });
@@ -46,6 +47,19 @@ TEST(FrontRangeAiding, ReadsTheGapToTheNextRiser)
   EXPECT_NEAR(left.expect(state, SeenRiser::kAfterNext, 0.30).value(), 0.515, 1e-12);
   state[kStateX] = -0.5;
   EXPECT_NEAR(left.expect(state, SeenRiser::kAhead).value(), 0.31, 1e-12);
+}
+
+// On a tread of 32 cm with 25 cm to go base_link is 7 cm past the riser behind; block 3's sensor,
+// 11 cm farther back, is 4 cm before it.
+TEST(FrontRangeAiding, ReadsTheGapOfBlock3ToTheRiserBehind)
+{
+  StateVector state = StateVector::Zero();
+  state[kStateX] = -0.25;
+  state[kStateY] = 1.0;
+  state[kStateWidth] = 2.05;
+  state[kStateTreadHere] = 0.32;
+  const FrontRangeAiding block3(Ranger::kBlock3Front, -0.11, 0.0, ConeOnWall(0.0));
+  EXPECT_NEAR(block3.expect(state, SeenRiser::kBehind).value(), 0.04, 1e-12);
 }
 
 // S-B eq. (2), D1-6: the difference of the pair over its baseline is the tangent of the heading.

@@ -15,10 +15,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
 
+#include "stetro_localizer/fused/normal_quantile.hpp"
 #include "stetro_localizer/fused_estimator.hpp"
 #include "stetro_localizer/stored_state.hpp"
 #include "support/counted_allocations.hpp"
@@ -192,6 +194,32 @@ TEST(FusedEstimator, SaysThatNoSideRangeIsLeft)
   rig.robot.rest(1.0);
   EXPECT_TRUE(rig.estimate().reasons & kNoSideRange);
   EXPECT_EQ(rig.estimate().integrity, Integrity::kDegraded);
+}
+
+/// What a slip adds to the protection levels along and across: the rest is the filter's doubt.
+std::array<double, 2> slip_shares_m(const StairEstimate & estimate)
+{
+  const double q = two_sided_quantile(FusedParams{}.integrity_risk);
+  return {
+    estimate.protection_along_m - q * std::sqrt(estimate.covariance(0, 0)),
+    estimate.protection_across_m - q * std::sqrt(estimate.covariance(1, 1))};
+}
+
+// 4 mm before it is noticed; a whole one, 20 mm, where nothing corrected for half a second.
+TEST(FusedEstimator, ASlipThatNothingSeesCountsWhole)
+{
+  Rig rig(3, uncalibrated());
+  EXPECT_NEAR(slip_shares_m(rig.estimate())[0], 0.004, 1e-12);
+  EXPECT_NEAR(slip_shares_m(rig.estimate())[1], 0.004, 1e-12);
+  rig.robot.sides_dead = true;
+  rig.robot.rest(0.6);
+  EXPECT_NEAR(slip_shares_m(rig.estimate())[0], 0.004, 1e-12);
+  EXPECT_NEAR(slip_shares_m(rig.estimate())[1], 0.020, 1e-12);
+  rig.robot.sides_dead = false;
+  rig.robot.front_dead = true;
+  rig.robot.rest(0.6);
+  EXPECT_NEAR(slip_shares_m(rig.estimate())[0], 0.020, 1e-12);
+  EXPECT_NEAR(slip_shares_m(rig.estimate())[1], 0.004, 1e-12);
 }
 
 // Exact readings repeat themselves, which no live sensor does.

@@ -45,10 +45,31 @@ struct Innovation
   [[nodiscard]] double nis() const { return value * value / variance; }
 };
 
-/// Which states a measurement may change.
-enum class Corrects {
-  kAll,
-  kAlongOnly  ///< x; all the others are considered, not corrected (Schmidt)
+/// The states that a measurement corrects; the doubt in all the others still counts (Schmidt).
+class Corrects
+{
+public:
+  static Corrects all() { return Corrects(StateVector::Ones()); }
+  static Corrects only(int index) { return Corrects(StateVector::Unit(index)); }
+
+  /// \return these but one
+  [[nodiscard]] Corrects but(int index) const
+  {
+    Corrects fewer = *this;
+    fewer.of_[index] = 0.0;
+    return fewer;
+  }
+
+  /// Zero where nothing is corrected.
+  [[nodiscard]] StateVector of(const StateVector & vector) const
+  {
+    return of_.cwiseProduct(vector);
+  }
+
+private:
+  explicit Corrects(const StateVector & of) : of_(of) {}
+
+  StateVector of_;  // ones and zeros
 };
 
 /// Kalman filter over the error of the state: covariance propagation and scalar updates.
@@ -72,6 +93,13 @@ public:
   /// Adds independent noise to one state.
   void inflate(int index, double variance) { P_(index, index) += variance; }
 
+  /// Moves one state by what is known with `variance`, independently of all the others.
+  void shift(int index, double by, double variance)
+  {
+    x_[index] += by;
+    P_(index, index) += variance;
+  }
+
   /// Moves on by dt [s] with the gyroscope's reading [rad/s].
   /**
    *   x += (vx cos psi - vy sin psi) dt,  y += (vx sin psi + vy cos psi) dt,
@@ -87,7 +115,7 @@ public:
   /// Uses the measurement whose innovation this is; `expectation` is of the present state.
   void correct(
     const Expectation & expectation, const Innovation & innovation,
-    Corrects corrects = Corrects::kAll);
+    const Corrects & corrects = Corrects::all());
 
   /// Offsets and gains of the range sensors and the scale of the wheels, to be kept.
   [[nodiscard]] FusedCalibration calibration() const;

@@ -22,10 +22,12 @@ namespace stetro_localizer
 {
 
 /// Which riser a front beam strikes, counted from block 2.
-enum class SeenRiser {
-  kAhead,     ///< the one block 2 stands before
-  kNext,      ///< one tread beyond: block 1 stands on the tread ahead
-  kAfterNext  ///< two treads beyond: block 1 looks over the next one
+/// Its value is the number of the riser less that of the riser ahead.
+enum class SeenRiser : int {
+  kBehind = -1,  ///< block 2 stands above it: what block 3, still below, has before it
+  kAhead,        ///< the one block 2 stands before
+  kNext,         ///< one tread beyond: block 1 stands on the tread ahead
+  kAfterNext     ///< two treads beyond: block 1 looks over the next one
 };
 
 /// One range of the front pair: x within the tread, and with its twin the heading.
@@ -37,7 +39,8 @@ enum class SeenRiser {
  *   D = (X + (p_y - W/2) tan rho - p_x) cos rho
  *   reading = (1 + g) f(psi + rho) D + b
  *
- * X is 0 for the riser ahead, the depth of the tread ahead for the next. The difference of the two
+ * X is 0 for the riser ahead, the depth of the tread ahead for the next, less the depth of the tread
+ * here for the one behind. The difference of the two
  * readings is S-A and S-B eq. (2) with the signs of D1-6; here each counts by itself, so that one
  * alone still tells x.
  */

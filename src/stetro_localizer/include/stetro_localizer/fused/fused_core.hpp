@@ -43,8 +43,9 @@ using Sample = std::variant<OdometrySample, GyroSample, ContactSample, BlockSamp
 /** Copying it keeps the past: a late sample is taken by going back to the copy before its time. */
 struct FusedCore
 {
-  FusedCore(const StepModel & step_model, const StandstillParams & standing)
-  : steps(step_model), standstill(standing)
+  FusedCore(
+    const StepModel & step_model, const StandstillParams & standing, const SlipWatch & slip_watch)
+  : steps(step_model), standstill(standing), slips{slip_watch, slip_watch}
   {
   }
 
@@ -64,14 +65,14 @@ struct FusedCore
   ContactClosure closure{0.0, 0.0};
   SourceReports reports;
   std::array<Nanoseconds, kRangerCount> used_at{};  ///< when each ranger last corrected
-  std::array<SlipWatch, 2> slips{};                 ///< along x, along y
+  std::array<SlipWatch, 2> slips;                   ///< along x, along y
   Nanoseconds slipping_until{0};                    ///< a slip that was noticed may go on
   std::optional<int> located_on;  ///< step that x and the treads of the state belong to
   double edge_x_m = 0.0;          ///< X of the riser ahead in the flight frame, as built so far [m]
   double rise_m = 0.0;            ///< height of the tread of block 2, as built so far [m]
   double rise_variance_m2 = 0.0;
-  Nanoseconds since{0};                               ///< time of the first sample
-  std::array<RangeMonitor, kRangerCount> monitors{};  ///< by `Ranger`
+  Nanoseconds since{0};                                ///< time of the first sample
+  std::array<RangeMonitor, kWatchedCount> monitors{};  ///< by `Ranger`
   std::uint64_t landmarks = 0;  ///< contacts and changes of the step: worth keeping
   std::uint32_t jumps = 0;      ///< of the state, other than by measurements
 };

@@ -65,22 +65,29 @@ private:
   void take_speed(FusedCore & core, int index, double counted_mps, bool blocked) const;
   void take_bumpers(FusedCore & core, Side side, const ContactSample & sample) const;
   void take_riser_switch(FusedCore & core, Side side, const ContactSample & sample) const;
+  [[nodiscard]] bool confirms(const RangeReading & before, const RangeReading & now) const;
   void take_side(FusedCore & core, Side side, const RangeReading & reading) const;
   void take_front(FusedCore & core, const FrontRangeAiding & aiding, const RangeReading &) const;
+  void take_block3_front(FusedCore & core, const RangeReading & reading) const;
+  [[nodiscard]] std::optional<SeenRiser> block3_sees(const FusedCore & core, double range_m) const;
   void note_closure(FusedCore & core, bool left, double gap_m) const;
   void use_contact(
     FusedCore & core, Source source, const Expectation & gap, int axis, double variance) const;
   [[nodiscard]] StepEvidence step_evidence(const FusedCore & core, Nanoseconds time) const;
   [[nodiscard]] std::optional<double> front_m(const FusedCore & core, Nanoseconds time) const;
   void follow_step(FusedCore & core, std::optional<int> step) const;
-  void note_slip(FusedCore & core, int axis, double normalised) const;
+  void note_slip(
+    FusedCore & core, int axis, double innovation_m, const SourceReport & report,
+    double variance_before) const;
   Outcome use(
     FusedCore & core, Source source, const Expectation & expectation, double measured,
-    double variance, Corrects corrects = Corrects::kAll) const;
+    double variance, const Corrects & corrects = Corrects::all()) const;
 
   [[nodiscard]] double tread_m(int step) const;
   [[nodiscard]] double edge_ahead_m(int step) const;
   [[nodiscard]] double range_variance_m2(double range_m) const;
+  [[nodiscard]] Corrects side_corrects(const FusedCore & core) const;
+  [[nodiscard]] Corrects front_corrects(const FusedCore & core, double range_m) const;
   [[nodiscard]] bool wall_fills_cone(const FusedCore & core, double range_m) const;
   [[nodiscard]] bool sees_side_wall(
     const FusedCore & core, stetro_site::Place place, double range_m) const;
@@ -92,6 +99,7 @@ private:
   double gate_;  // nis that a sound measurement exceeds as rarely as the parameter says
   std::array<SideRangeAiding, 2> sides_;
   std::array<FrontRangeAiding, 2> fronts_;
+  FrontRangeAiding block3_front_;
 };
 
 }  // namespace stetro_localizer

@@ -55,8 +55,9 @@ struct FusedAlerts
 {
   double along_m = 0.25;            ///< protection level of x that is not OK [m]
   double across_m = 0.10;           ///< of y [m]
-  double heading_rad = 0.35;        ///< of the heading, 20 deg: before any calibration [rad]
+  double heading_rad = 0.45;        ///< of the heading, 26 deg: before any calibration [rad]
   double unnoticed_slip_m = 0.004;  ///< of it no measurement tells yet [m]
+  double unseen_slip_m = 0.02;      ///< the same where nothing is in sight that could tell [m]
   double dead_s = 0.5;              ///< a sensor is silent for so long [s]
   double offset_m = 0.05;           ///< an offset beyond this is not trusted [m]
   double gain = 0.15;               ///< nor is such a gain [-]
@@ -74,9 +75,11 @@ struct FusedParams
   double gate_false_alarm = 1e-4;  ///< share of sound measurements that a gate refuses [-]
   double window_s = 0.4;           ///< late samples are applied at their time within this [s]
   double contact_gate_m = 0.05;    ///< a contact that surprises by more is not believed [m]
-  double slip_jump_m = 0.012;      ///< doubt added along the motion when a slip is noticed [m]
-  double slipping = 0.03;          ///< process.slip while a slip goes on [m/sqrt(s)]
-  double integrity_risk = 1e-4;    ///< that an error exceeds its protection level, each step [-]
+  double slip_m = 0.012;           ///< a usual slip [m]
+  double slip_false_alarm =
+    3e-4;                        ///< slips noticed for each innovation of a robot that has none [-]
+  double slipping = 0.01;        ///< process.slip while a slip goes on [m/sqrt(s)]
+  double integrity_risk = 1e-4;  ///< that an error exceeds its protection level, each step [-]
 };
 
 template <class Visitor>
@@ -121,6 +124,9 @@ void visit(FusedParams & p, Visitor && each)
   each(
     "alerts.unnoticed_slip_m", alert.unnoticed_slip_m, Within{0.0, 0.1},
     "what a slip does before it is noticed [m]");
+  each(
+    "alerts.unseen_slip_m", alert.unseen_slip_m, Within{0.0, 0.2},
+    "a whole slip, where nothing in sight could tell [m]");
   each("alerts.dead_s", alert.dead_s, Within{0.05, 10.0}, "a silent sensor is dead after [s]");
   each("alerts.offset_m", alert.offset_m, Within{0.001, 0.5}, "larger offset is not trusted [m]");
   each("alerts.gain", alert.gain, Within{0.001, 1.0}, "larger gain error is not trusted [-]");
@@ -134,7 +140,10 @@ void visit(FusedParams & p, Visitor && each)
   each(
     "contact_gate_m", p.contact_gate_m, Within{0.001, 0.5},
     "a contact that surprises by more is not believed [m]");
-  each("slip_jump_m", p.slip_jump_m, Within{0.0, 0.2}, "doubt when a slip is noticed [m]");
+  each("slip_m", p.slip_m, Within{0.001, 0.2}, "a usual slip [m]");
+  each(
+    "slip_false_alarm", p.slip_false_alarm, Within{1e-9, 0.1},
+    "slips noticed for each innovation of a robot that has none");
   each("slipping", p.slipping, Within{0.0, 1.0}, "process.slip while one goes on [m/sqrt(s)]");
   each(
     "integrity_risk", p.integrity_risk, Within{1e-9, 0.1},

@@ -17,47 +17,90 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace stetro_localizer
 {
 
-/// Notices that the body has moved without its wheels.
+/// How far the estimate is off by a slip that was found.
+struct Slip
+{
+  double shift_m;      ///< along the axis [m]
+  double variance_m2;  ///< of it [m^2]
+};
+
 /**
- * A slip shifts all innovations along one axis the same way. Two one-sided cumulative sums of the
- * normalised innovations z, each less a drift of half the shift to be found, rise when the mean is
- * no longer zero (Page 1954):
+ * A slip by d along an axis shifts all later innovations, each by what the filter's corrections have
+ * left of it: a d, a = 1 at first. The log-likelihood ratio of such a slip against none is, for each
+ * direction, a cumulative sum over innovations e with variance v,
  *
- *   S+ = max(0, S+ + z - drift),   S- = max(0, S- - z - drift),   alarm when either passes `limit`
+ *   S = max(0, S + (a d e - (a d)^2 / 2) / v)      (Page 1954)
  *
- * With drift 0.75 and limit 4.5 a sound filter alarms about once in 2000 innovations, a shift of
- * three standard deviations within three.
+ * and the slip began when it last was zero. It alarms when S passes -log(false_alarm): without a
+ * slip at most once in 1 / false_alarm innovations on average (Lorden 1971). A near, exact range
+ * counts for more than a far one. With sums since the beginning the slip is then
+ *
+ *   d = sum(a e / v) var(d),   1 / var(d) = sum(a^2 / v) + 1 / slip_m^2
+ *
+ * (Willsky and Jones 1976), and a d, with variance a^2 var(d), is still missing in the state.
  */
 class SlipWatch
 {
 public:
-  /// \param normalised innovation along the axis in its own standard deviations, signed by the axis
-  /// \return the axis has shifted; both sums start again
-  bool add(double normalised)
+  /// \param slip_m a usual slip, the d that shall be found soonest [m]; above 0
+  /// \param false_alarm above 0, below 1
+  SlipWatch(double slip_m, double false_alarm) : slip_m_(slip_m), limit_(-std::log(false_alarm)) {}
+
+  /// \param innovation_m along the axis, in its direction [m]
+  /// \param variance_m2 of the innovation
+  /// \param kept share of a shift that is left after the filter's correction by this innovation
+  /// \return the slip, once it is found; the watch begins anew
+  std::optional<Slip> add(double innovation_m, double variance_m2, double kept)
   {
-    const double z = std::clamp(normalised, -kMostOfOne, kMostOfOne);
-    up_ = std::max(0.0, up_ + z - kDrift);
-    down_ = std::max(0.0, down_ - z - kDrift);
-    const bool alarm = std::max(up_, down_) > kLimit;
-    if (alarm) {
-      clear();
+    const double most_m = std::max(2.0 * slip_m_, kMostOfOne * std::sqrt(variance_m2));
+    const double e_m = std::clamp(innovation_m, -most_m, most_m);
+    for (Sum * sum : {&forwards_, &backwards_}) {
+      const double d_m = (sum == &forwards_ ? slip_m_ : -slip_m_) * sum->left;
+      // One wild reading alone is no slip.
+      sum->likelihood += std::min((d_m * e_m - d_m * d_m / 2.0) / variance_m2, limit_ / kLeast);
+      sum->weight += sum->left * sum->left / variance_m2;
+      sum->weighted_m += sum->left * e_m / variance_m2;
+      sum->left *= kept;
+      // A slip that the filter has followed is past: what comes now may be another.
+      if (sum->likelihood <= 0.0 || sum->left < kPast) {
+        *sum = {};
+      }
     }
-    return alarm;
+    const Sum & likelier = forwards_.likelihood > backwards_.likelihood ? forwards_ : backwards_;
+    if (likelier.likelihood <= limit_) {
+      return std::nullopt;
+    }
+    const double variance = 1.0 / (likelier.weight + 1.0 / (slip_m_ * slip_m_));
+    const Slip slip{
+      likelier.left * likelier.weighted_m * variance, likelier.left * likelier.left * variance};
+    clear();
+    return slip;
   }
 
-  void clear() { up_ = down_ = 0.0; }
+  void clear() { forwards_ = backwards_ = {}; }
 
 private:
-  static constexpr double kDrift = 0.75;
-  static constexpr double kLimit = 4.5;
-  static constexpr double kMostOfOne = 3.5;  // one wild reading alone is no slip
+  static constexpr double kMostOfOne = 3.5;  // standard deviations
+  static constexpr double kLeast = 2.5;      // innovations that an alarm takes
+  static constexpr double kPast = 0.2;       // share of a slip that is left
 
-  double up_ = 0.0;
-  double down_ = 0.0;
+  struct Sum
+  {
+    double likelihood = 0.0;
+    double weight = 0.0;      // [1/m^2]
+    double weighted_m = 0.0;  // [1/m]
+    double left = 1.0;        // a
+  };
+
+  double slip_m_;
+  double limit_;
+  Sum forwards_;
+  Sum backwards_;
 };
 
 }  // namespace stetro_localizer

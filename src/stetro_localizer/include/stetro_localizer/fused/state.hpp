@@ -22,8 +22,10 @@ namespace stetro_localizer
 {
 
 /// The range sensors whose offset and gain are states.
-enum class Ranger { kSideLeft, kSideRight, kFrontLeft, kFrontRight };
-constexpr std::size_t kRangerCount = 4;
+enum class Ranger { kSideLeft, kSideRight, kFrontLeft, kFrontRight, kBlock3Front };
+constexpr std::size_t kRangerCount = 5;
+/// The first of them have something in sight nearly always; block3_front only during a step.
+constexpr std::size_t kWatchedCount = 4;
 
 /// Order of the states.
 /**
