@@ -26,6 +26,11 @@ namespace stetro_localizer
 namespace
 {
 
+constexpr double kWidthJump = 0.02;  // of a side sensor's offset, to be found soonest [m]
+constexpr double kPairJump = 0.006;  // of a front sensor's, or of the heading by 1.7 deg [m]
+constexpr double kRareAlarm = 1e-7;  // of an innovation of sound sensors: it stops the climb
+constexpr double kLately = 3.0;      // slips in such a time are counted together [s]
+
 double squared(double value) { return value * value; }
 
 SideRangeAiding side_aiding(Side side, const stetro_site::RobotGeometry & robot)
@@ -62,7 +67,8 @@ FusedCore FusedModel::begin() const
 {
   FusedCore core(
     step_model_, params_.standstill,
-    SlipWatch(params_.fused.slip_m, params_.fused.slip_false_alarm));
+    SlipWatch(params_.fused.slip_m, params_.fused.slip_false_alarm),
+    SlipWatch(kWidthJump, kRareAlarm), SlipWatch(kPairJump, kRareAlarm));
   const FusedPriors & prior = params_.fused.priors;
   const double width_m = flight_.width_m(0.0);
   core.filter.set(kStateY, width_m / 2.0, squared(width_m) / 12.0);
@@ -104,6 +110,9 @@ void FusedModel::advance(FusedCore & core, Nanoseconds time) const
   const double rate_radps = seen ? core.rate_radps : core.filter[kStateGyroBias];
   const double dt_s = std::min(seconds(time - core.time), params_.silence_s);
   const double x_m = core.filter[kStateX];
+  for (double & slipped_m : core.slipped_m) {
+    slipped_m *= std::exp(-dt_s / kLately);
+  }
   core.filter.predict(dt_s, rate_radps, noise, core.rolling);
   core.travel_m += core.filter[kStateX] - x_m;
   core.time = time;
@@ -114,6 +123,7 @@ void FusedModel::take_one(FusedCore & core, const OdometrySample & sample) const
   core.standstill.note(sample);
   core.wheels_time = sample.stamp;
   core.rolling = std::hypot(sample.vx_mps, sample.vy_mps) > 0.0;
+  core.rolled_at = core.rolling ? sample.stamp : core.rolled_at;
   const auto any = [](const std::array<Switch, 3> & bumpers) {
     return std::any_of(
       bumpers.begin(), bumpers.end(), [](const Switch & one) { return one.is_closed(); });

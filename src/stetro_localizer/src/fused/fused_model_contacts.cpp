@@ -122,6 +122,8 @@ void FusedModel::use_contact(
   }
   if (use(core, source, gap, 0.0, variance) == Outcome::kFused) {
     core.slips[axis == kStateX ? 0 : 1].clear();  // it has been corrected
+    core.doubted[axis == kStateX ? 0 : 1] = false;
+    core.doubted[2] = core.doubted[2] && axis != kStateX;
     ++core.landmarks;
   }
 }

@@ -79,6 +79,18 @@ public:
     }
   }
 
+  /// Readings of one array, with noise of 1 mm, each confirmed by the one before.
+  void read_pair(Place first, double first_m, Place second, double second_m)
+  {
+    RangeSample sample;
+    sample.stamp = core.time;
+    sample[first] = {core.time, first_m + 0.001 * normal_(random_), 0.0, RangeStatus::kValid};
+    sample[second] = {core.time, second_m + 0.001 * normal_(random_), 0.0, RangeStatus::kValid};
+    core.last_ranges[first] = sample[first];
+    core.last_ranges[second] = sample[second];
+    model_.take(core, sample);
+  }
+
   /// A reading with noise, of a sensor square to a wall at that distance.
   double noisy(double square_m, double offset_m = 0.0, double gain = 0.0)
   {
@@ -325,10 +337,72 @@ TEST(FusedModel, Block3SeesTheRiserBelowALiftedBlock2)
 /// Knows all but where a slip will take it: the right sensor is 0.25 m from its wall.
 void calibrate(Standing & robot)
 {
+  robot.core.rolled_at = robot.core.time;
   robot.know(kStateY, 0.3, 0.001);
   robot.know(kStateYaw, 0.0, 0.002);
   robot.know(offset_index(Ranger::kSideRight), 0.0, 0.0005);
   robot.know(gain_index(Ranger::kSideRight), 0.0, 0.002);
+}
+
+/// In the middle, all known as after a contact with both walls and a riser.
+void know_all(Standing & robot)
+{
+  robot.know(kStateY, kWidth / 2.0, 0.002);
+  robot.know(kStateWidth, kWidth, 0.001);
+  robot.know(kStateYaw, 0.0, 0.002);
+  for (int i = 0; i < static_cast<int>(kRangerCount); ++i) {
+    robot.know(offset_index(static_cast<Ranger>(i)), 0.0, 0.001);
+    robot.know(gain_index(static_cast<Ranger>(i)), 0.0, 0.002);
+  }
+}
+
+// The left sensor has jumped by 50 mm: the sum is too long by it, whatever y is.
+TEST(FusedModel, DoubtsYWhereBothSidesDoNotAddUp)
+{
+  Standing robot;
+  know_all(robot);
+  const double range_m = robot.stretch() * (kWidth / 2.0 - kMount);
+  for (int i = 0; i < 60; ++i) {
+    robot.read_pair(Place::kSideLeft, range_m, Place::kSideRight, range_m);
+  }
+  EXPECT_FALSE(robot.core.doubted[1]);
+  for (int i = 0; i < 30 && !robot.core.doubted[1]; ++i) {
+    robot.read_pair(Place::kSideLeft, range_m + 0.05, Place::kSideRight, range_m);
+  }
+  EXPECT_TRUE(robot.core.doubted[1]) << "within a second";
+  EXPECT_GT(robot.core.filter.variance(offset_index(Ranger::kSideLeft)), 0.02 * 0.02);
+}
+
+// At a stand no wall moves by 30 mm.
+TEST(FusedModel, DoubtsYWhereARangeJumpsAtAStand)
+{
+  Standing robot;
+  know_all(robot);
+  robot.know(kStateY, 0.3, 0.002);
+  const double range_m = robot.stretch() * 0.25;
+  for (int i = 0; i < 30 && !robot.core.doubted[1]; ++i) {
+    robot.read(Place::kSideRight, range_m + 0.03);
+  }
+  EXPECT_TRUE(robot.core.doubted[1]);
+  EXPECT_GT(robot.core.filter.variance(kStateY), 0.01 * 0.01);
+}
+
+// One front range has grown by 20 mm, or the gyroscope has turned the heading by 0.1 rad unseen.
+TEST(FusedModel, DoubtsTheHeadingWhereTheFrontPairTurnsAlone)
+{
+  Standing robot;
+  know_all(robot);
+  put_before_riser(robot, 0.15, 0.002);
+  const double range_m = robot.stretch() * 0.15;
+  for (int i = 0; i < 60; ++i) {
+    robot.read_pair(Place::kFrontLeft, range_m, Place::kFrontRight, range_m);
+  }
+  EXPECT_FALSE(robot.core.doubted[2]);
+  for (int i = 0; i < 30 && !robot.core.doubted[2]; ++i) {
+    robot.read_pair(Place::kFrontLeft, range_m + 0.02, Place::kFrontRight, range_m);
+  }
+  EXPECT_TRUE(robot.core.doubted[2]);
+  EXPECT_GT(robot.core.filter.variance(kStateYaw), 0.02 * 0.02);
 }
 
 // One reading knows 4.3 mm: with 1 mm of doubt in y the filter by itself would follow in some 20.

@@ -39,8 +39,8 @@ enum class SeenRiser : int {
  *   D = (X + (p_y - W/2) tan rho - p_x) cos rho
  *   reading = (1 + g) f(psi + rho) D + b
  *
- * X is 0 for the riser ahead, the depth of the tread ahead for the next, less the depth of the tread
- * here for the one behind. The difference of the two
+ * X is 0 for the riser ahead, the depth of the tread ahead for the next, less the depth of the
+ * tread here for the one behind. The difference of the two
  * readings is S-A and S-B eq. (2) with the signs of D1-6; here each counts by itself, so that one
  * alone still tells x.
  */

@@ -44,8 +44,13 @@ using Sample = std::variant<OdometrySample, GyroSample, ContactSample, BlockSamp
 struct FusedCore
 {
   FusedCore(
-    const StepModel & step_model, const StandstillParams & standing, const SlipWatch & slip_watch)
-  : steps(step_model), standstill(standing), slips{slip_watch, slip_watch}
+    const StepModel & step_model, const StandstillParams & standing, const SlipWatch & slip_watch,
+    const SlipWatch & sum_watch, const SlipWatch & pair_watch)
+  : steps(step_model),
+    standstill(standing),
+    slips{slip_watch, slip_watch},
+    width_watch(sum_watch),
+    turn_watch(pair_watch)
   {
   }
 
@@ -67,6 +72,11 @@ struct FusedCore
   std::array<Nanoseconds, kRangerCount> used_at{};  ///< when each ranger last corrected
   std::array<SlipWatch, 2> slips;                   ///< along x, along y
   Nanoseconds slipping_until{0};                    ///< a slip that was noticed may go on
+  std::array<double, 2> slipped_m{};                ///< lately, along x and along y [m]
+  SlipWatch width_watch;          ///< left and right add up to more or less than the width
+  SlipWatch turn_watch;           ///< the front pair turns otherwise than the gyroscope
+  std::array<bool, 3> doubted{};  ///< x, y, heading: what tells it contradicts; until a contact
+  Nanoseconds rolled_at{0};       ///< the wheels turned last
   std::optional<int> located_on;  ///< step that x and the treads of the state belong to
   double edge_x_m = 0.0;          ///< X of the riser ahead in the flight frame, as built so far [m]
   double rise_m = 0.0;            ///< height of the tread of block 2, as built so far [m]

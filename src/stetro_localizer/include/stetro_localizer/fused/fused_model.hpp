@@ -28,6 +28,16 @@
 namespace stetro_localizer
 {
 
+/// One range of a pair that is watched for contradiction.
+struct PairedRanger
+{
+  Ranger ranger;
+  Place place;
+  Source source;
+  double sign;  ///< its innovation adds or subtracts
+};
+using RangerPair = std::array<PairedRanger, 2>;
+
 /// What a sample means: takes a `FusedCore` from before it to after it.
 /**
  * Holds the robot, the flight and the parameters, and no state: the same core and the same sample
@@ -79,6 +89,12 @@ private:
   void note_slip(
     FusedCore & core, int axis, double innovation_m, const SourceReport & report,
     double variance_before) const;
+  void doubt(FusedCore & core, int axis, double shift_m) const;
+  void doubt_heading(FusedCore & core, double difference_m) const;
+  void watch_pairs(FusedCore & core, const RangeSample & sample) const;
+  std::optional<Slip> watch_pair(
+    const FusedCore & core, SlipWatch & watch, const RangeSample & sample, const RangerPair & pair,
+    Expectation model) const;
   Outcome use(
     FusedCore & core, Source source, const Expectation & expectation, double measured,
     double variance, const Corrects & corrects = Corrects::all()) const;

@@ -76,6 +76,7 @@ struct FusedParams
   double window_s = 0.4;           ///< late samples are applied at their time within this [s]
   double contact_gate_m = 0.05;    ///< a contact that surprises by more is not believed [m]
   double slip_m = 0.012;           ///< a usual slip [m]
+  double most_slip_m = 0.04;       ///< what shifts ranges by more within seconds is no slip [m]
   double slip_false_alarm =
     3e-4;                        ///< slips noticed for each innovation of a robot that has none [-]
   double slipping = 0.01;        ///< process.slip while a slip goes on [m/sqrt(s)]
@@ -141,6 +142,7 @@ void visit(FusedParams & p, Visitor && each)
     "contact_gate_m", p.contact_gate_m, Within{0.001, 0.5},
     "a contact that surprises by more is not believed [m]");
   each("slip_m", p.slip_m, Within{0.001, 0.2}, "a usual slip [m]");
+  each("most_slip_m", p.most_slip_m, Within{0.001, 1.0}, "what shifts by more is no slip [m]");
   each(
     "slip_false_alarm", p.slip_false_alarm, Within{1e-9, 0.1},
     "slips noticed for each innovation of a robot that has none");

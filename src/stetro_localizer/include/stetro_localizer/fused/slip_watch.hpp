@@ -30,9 +30,9 @@ struct Slip
 };
 
 /**
- * A slip by d along an axis shifts all later innovations, each by what the filter's corrections have
- * left of it: a d, a = 1 at first. The log-likelihood ratio of such a slip against none is, for each
- * direction, a cumulative sum over innovations e with variance v,
+ * A slip by d along an axis shifts all later innovations, each by what the filter's corrections
+ * have left of it: a d, a = 1 at first. The log-likelihood ratio of such a slip against none is,
+ * for each direction, a cumulative sum over innovations e with variance v,
  *
  *   S = max(0, S + (a d e - (a d)^2 / 2) / v)      (Page 1954)
  *
@@ -64,7 +64,7 @@ public:
       // One wild reading alone is no slip.
       sum->likelihood += std::min((d_m * e_m - d_m * d_m / 2.0) / variance_m2, limit_ / kLeast);
       sum->weight += sum->left * sum->left / variance_m2;
-      sum->weighted_m += sum->left * e_m / variance_m2;
+      sum->weighted_m += sum->left * innovation_m / variance_m2;
       sum->left *= kept;
       // A slip that the filter has followed is past: what comes now may be another.
       if (sum->likelihood <= 0.0 || sum->left < kPast) {
