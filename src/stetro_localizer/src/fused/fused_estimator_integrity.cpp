@@ -87,8 +87,8 @@ std::uint32_t FusedEstimator::sensor_reasons() const
                               std::abs(core.filter[gain_index(ranger)]) > alert.gain;
     reasons |= flag(beyond_trust, kCalibrationDamaged);
   }
-  reasons |= flag(core.doubted[0] || core.doubted[2], kSlip);
-  reasons |= flag(core.doubted[1], kClosureViolated);
+  reasons |= flag(core.doubted[kStateX] || core.doubted[kStateYaw], kSlip);
+  reasons |= flag(core.doubted[kStateY], kClosureViolated);
   const auto contradicts = [&](Source source) {
     return core.reports[source].reject_streak >= alert.reject_streak;
   };

@@ -110,8 +110,9 @@ void FusedModel::advance(FusedCore & core, Nanoseconds time) const
   const double rate_radps = seen ? core.rate_radps : core.filter[kStateGyroBias];
   const double dt_s = std::min(seconds(time - core.time), params_.silence_s);
   const double x_m = core.filter[kStateX];
+  const double still_lately = std::exp(-dt_s / kLately);
   for (double & slipped_m : core.slipped_m) {
-    slipped_m *= std::exp(-dt_s / kLately);
+    slipped_m *= still_lately;
   }
   core.filter.predict(dt_s, rate_radps, noise, core.rolling);
   core.travel_m += core.filter[kStateX] - x_m;

@@ -121,9 +121,9 @@ void FusedModel::use_contact(
     core.filter.inflate(axis, surprise_m2);
   }
   if (use(core, source, gap, 0.0, variance) == Outcome::kFused) {
-    core.slips[axis == kStateX ? 0 : 1].clear();  // it has been corrected
-    core.doubted[axis == kStateX ? 0 : 1] = false;
-    core.doubted[2] = core.doubted[2] && axis != kStateX;
+    core.slips[axis].clear();  // it has been corrected
+    core.doubted[axis] = false;
+    core.doubted[kStateYaw] = core.doubted[kStateYaw] && axis != kStateX;
     ++core.landmarks;
   }
 }

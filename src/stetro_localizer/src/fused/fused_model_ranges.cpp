@@ -12,7 +12,7 @@
 // See the License for the specific language governing permissions and
 // limitations under the License.
 
-// What range readings mean, and what a slip looks like in them.
+// What range readings mean.
 
 #include <algorithm>
 #include <array>
@@ -27,13 +27,10 @@ namespace stetro_localizer
 namespace
 {
 
-constexpr Nanoseconds kSlipGoesOn = std::chrono::milliseconds(200);
-constexpr Nanoseconds kNoSlipBehind = std::chrono::seconds(1);  // at a stand: it would be noticed
 constexpr double kSteady = 6.0;        // standard deviations between one reading and the next
 constexpr double kFastest = 0.5;       // a range changes [m/s]
 constexpr double kKnownBetter = 3.0;   // another source told the heading so many times better
 constexpr double kSureOfSide = 3.0;    // standard deviations of the heading
-constexpr double kMostlyNoise = 3.0;   // an innovation's variance in that of the reading
 constexpr double kResolution = 0.001;  // readings come in whole millimetres [m]
 
 constexpr std::array<std::pair<Ranger, Place>, kWatchedCount> kWatched{{
@@ -43,16 +40,15 @@ constexpr std::array<std::pair<Ranger, Place>, kWatchedCount> kWatched{{
   {Ranger::kFrontRight, Place::kFrontRight},
 }};
 
-constexpr RangerPair kSidePair{{
-  {Ranger::kSideLeft, Place::kSideLeft, Source::kSideLeft, 1.0},
-  {Ranger::kSideRight, Place::kSideRight, Source::kSideRight, 1.0},
-}};
-constexpr RangerPair kFrontPair{{
-  {Ranger::kFrontLeft, Place::kFrontLeft, Source::kFrontLeft, 1.0},
-  {Ranger::kFrontRight, Place::kFrontRight, Source::kFrontRight, -1.0},
-}};
-
 double squared(double value) { return value * value; }
+
+Corrects holding(Corrects corrects, std::array<Ranger, 2> calibrations)
+{
+  for (const Ranger ranger : calibrations) {
+    corrects = corrects.but(offset_index(ranger)).but(gain_index(ranger));
+  }
+  return corrects;
+}
 
 }  // namespace
 
@@ -70,10 +66,8 @@ void FusedModel::take_one(FusedCore & core, const RangeSample & sample) const
     if (reading.status == RangeStatus::kValid && !confirms(core.last_ranges[place], reading)) {
       confirmed[place].status = RangeStatus::kWeak;
     }
-  }
-  for (const Place place : stetro_site::kPlaces) {
-    if (sample[place].status != RangeStatus::kAbsent) {
-      core.last_ranges[place] = sample[place];
+    if (reading.status != RangeStatus::kAbsent) {
+      core.last_ranges[place] = reading;
     }
   }
   for (const auto & [ranger, place] : kWatched) {
@@ -149,9 +143,7 @@ Corrects FusedModel::side_corrects(const FusedCore & core) const
     corrects = corrects.but(kStateYaw);
   }
   if (filter.variance(kStateY) > squared(params_.fused.priors.range_offset_m)) {
-    for (const Ranger ranger : {Ranger::kSideLeft, Ranger::kSideRight}) {
-      corrects = corrects.but(offset_index(ranger)).but(gain_index(ranger));
-    }
+    corrects = holding(corrects, {Ranger::kSideLeft, Ranger::kSideRight});
   }
   return corrects;
 }
@@ -160,9 +152,8 @@ Corrects FusedModel::side_corrects(const FusedCore & core) const
 Corrects FusedModel::front_corrects(const FusedCore & core, double range_m) const
 {
   const FusedPriors & prior = params_.fused.priors;
-  const double apart_m = robot_.at(Place::kFrontLeft).y_m - robot_.at(Place::kFrontRight).y_m;
   const double error_m = std::hypot(prior.range_offset_m, prior.range_gain * range_m);
-  const double told = 2.0 * squared(error_m / apart_m);  // variance [rad^2]
+  const double told = 2.0 * squared(error_m / robot_.front_baseline_m());  // variance [rad^2]
   const double variance = core.filter.variance(kStateYaw);
   if (variance < told / squared(kKnownBetter)) {
     return Corrects::all();
@@ -170,11 +161,7 @@ Corrects FusedModel::front_corrects(const FusedCore & core, double range_m) cons
   if (variance < told) {
     return Corrects::only(kStateX);
   }
-  Corrects corrects = Corrects::all();
-  for (const Ranger ranger : {Ranger::kFrontLeft, Ranger::kFrontRight}) {
-    corrects = corrects.but(offset_index(ranger)).but(gain_index(ranger));
-  }
-  return corrects;
+  return holding(Corrects::all(), {Ranger::kFrontLeft, Ranger::kFrontRight});
 }
 
 void FusedModel::take_front(
@@ -229,8 +216,6 @@ void FusedModel::take_front(
   }
 }
 
-// The side walls end some way before and behind the flight. A cone that looks past an end measures
-// the nearer part of the wall alone: 15 mm short at 20 deg, half a metre before the stairs.
 void FusedModel::take_block3_front(FusedCore & core, const RangeReading & reading) const
 {
   if (reading.status == RangeStatus::kAbsent) {
@@ -278,6 +263,8 @@ std::optional<SeenRiser> FusedModel::block3_sees(const FusedCore & core, double 
   return static_cast<SeenRiser>(beyond);
 }
 
+// The side walls end some way before and behind the flight. A cone that looks past an end measures
+// the nearer part of the wall alone: 15 mm short at 20 deg, half a metre before the stairs.
 bool FusedModel::wall_fills_cone(const FusedCore & core, double range_m) const
 {
   const double overrun_m = flight_.spec().wall_overrun_m;
@@ -298,106 +285,6 @@ bool FusedModel::sees_side_wall(const FusedCore & core, Place place, double rang
   const double reach_m =
     range_m * std::tan(robot_.range_sensor.cone_rad / 2.0) + params_.heading.wall_margin_m;
   return beam_y_m < reach_m || core.filter[kStateWidth] - beam_y_m < reach_m;
-}
-
-void FusedModel::note_slip(
-  FusedCore & core, int axis, double innovation_m, const SourceReport & report,
-  double variance_before) const
-{
-  ErrorStateFilter & filter = core.filter;
-  const double kept = filter.variance(axis) / variance_before;
-  const auto slip =
-    core.slips[axis == kStateX ? 0 : 1].add(innovation_m, report.innovation_variance, kept);
-  if (!slip) {
-    return;
-  }
-  double & lately_m = core.slipped_m[axis == kStateX ? 0 : 1];
-  // Before the first contact the calibration shifts them, too.
-  const bool known = filter.variance(axis) < squared(params_.fused.priors.range_offset_m / 2.0);
-  lately_m += known ? slip->shift_m : 0.0;
-  const bool standing = core.time - core.rolled_at > kNoSlipBehind;
-  const double most_m = params_.fused.most_slip_m / (standing ? 2.0 : 1.0);
-  if (std::abs(lately_m) > most_m) {
-    doubt(core, axis, lately_m);
-    lately_m = 0.0;
-  } else if (!standing) {
-    filter.shift(axis, slip->shift_m, slip->variance_m2);
-    core.slipping_until = core.time + kSlipGoesOn;
-  }
-}
-
-// The sum of both side ranges knows nothing of y, the difference of the front pair nothing of x:
-// what shifts them is a sensor, or the gyroscope. They are watched once contacts have calibrated
-// them.
-void FusedModel::watch_pairs(FusedCore & core, const RangeSample & sample) const
-{
-  if (core.filter.variance(kStateY) > squared(params_.fused.priors.range_offset_m / 2.0)) {
-    return;
-  }
-  Expectation sum(0.0);
-  sum.depends_on(kStateWidth, 1.0);
-  const auto width = watch_pair(core, core.width_watch, sample, kSidePair, sum);
-  if (width) {
-    doubt(core, kStateY, width->shift_m);
-  }
-  Expectation difference(0.0);
-  difference.depends_on(
-    kStateYaw, robot_.at(Place::kFrontLeft).y_m - robot_.at(Place::kFrontRight).y_m);
-  const auto turn = watch_pair(core, core.turn_watch, sample, kFrontPair, difference);
-  if (turn) {
-    doubt_heading(core, turn->shift_m);
-  }
-}
-
-std::optional<Slip> FusedModel::watch_pair(
-  const FusedCore & core, SlipWatch & watch, const RangeSample & sample, const RangerPair & pair,
-  Expectation model) const
-{
-  double e_m = 0.0;
-  double noise = 0.0;
-  for (const PairedRanger & one : pair) {
-    const SourceReport & report = core.reports[one.source];
-    const RangeReading & reading = sample[one.place];
-    const double variance = range_variance_m2(reading.range_m);
-    const bool seen = report.outcome == Outcome::kFused || report.outcome == Outcome::kGated;
-    if (
-      reading.status != RangeStatus::kValid || !seen ||
-      report.innovation_variance > kMostlyNoise * variance) {
-      return std::nullopt;
-    }
-    model.depends_on(offset_index(one.ranger), one.sign);
-    model.depends_on(gain_index(one.ranger), one.sign * reading.range_m);
-    e_m += one.sign * report.innovation;
-    noise += variance;
-  }
-  const double variance = core.filter.innovation(model, 0.0, noise).variance;
-  return variance < 2.0 * noise ? watch.add(e_m, variance, 1.0) : std::nullopt;
-}
-
-void FusedModel::doubt_heading(FusedCore & core, double difference_m) const
-{
-  const double apart_m = robot_.at(Place::kFrontLeft).y_m - robot_.at(Place::kFrontRight).y_m;
-  core.doubted[2] = true;
-  core.filter.inflate(kStateYaw, squared(difference_m / apart_m));
-  core.filter.inflate(kStateGyroBias, squared(params_.gyro.bias_sigma_radps));
-  for (const Ranger ranger : {Ranger::kFrontLeft, Ranger::kFrontRight}) {
-    core.filter.inflate(offset_index(ranger), squared(difference_m));
-    core.filter.inflate(gain_index(ranger), squared(params_.fused.priors.range_gain));
-  }
-}
-
-// No slip is so long, and none happens at a stand: a sensor has changed, or someone moved the
-// robot. Either may be true until the next contact.
-void FusedModel::doubt(FusedCore & core, int axis, double shift_m) const
-{
-  const bool along = axis == kStateX;
-  core.doubted[along ? 0 : 1] = true;
-  core.filter.inflate(axis, squared(shift_m));
-  for (const Ranger ranger : along ? std::array{Ranger::kFrontLeft, Ranger::kFrontRight}
-                                   : std::array{Ranger::kSideLeft, Ranger::kSideRight}) {
-    core.filter.inflate(offset_index(ranger), squared(shift_m));
-    core.filter.inflate(gain_index(ranger), squared(params_.fused.priors.range_gain));
-  }
 }
 
 }  // namespace stetro_localizer

@@ -24,6 +24,17 @@ namespace stetro_localizer
 namespace
 {
 
+/// Near the middle of treads of 32 cm, square to the risers, so far before the one ahead.
+StateVector standing_before_riser(double gap_m)
+{
+  StateVector state = StateVector::Zero();
+  state[kStateX] = -gap_m;
+  state[kStateY] = 1.0;
+  state[kStateWidth] = 2.05;
+  state[kStateTreadHere] = state[kStateTreadAhead] = 0.32;
+  return state;
+}
+
 TEST(FrontRangeAiding, JacobianHolds)
 {
   for (const SeenRiser seen :
@@ -37,11 +48,7 @@ TEST(FrontRangeAiding, JacobianHolds)
 // 8.5 cm before riser i+1, sensors 19 cm ahead, tread of 32 cm: 0.32 + 0.085 - 0.19 = 0.215 m.
 TEST(FrontRangeAiding, ReadsTheGapToTheNextRiser)
 {
-  StateVector state = StateVector::Zero();
-  state[kStateX] = -0.085;
-  state[kStateY] = 1.0;
-  state[kStateWidth] = 2.05;
-  state[kStateTreadAhead] = 0.32;
+  StateVector state = standing_before_riser(0.085);
   const FrontRangeAiding left(Ranger::kFrontLeft, 0.19, 0.1, ConeOnWall(0.0));
   EXPECT_NEAR(left.expect(state, SeenRiser::kNext).value(), 0.215, 1e-12);
   EXPECT_NEAR(left.expect(state, SeenRiser::kAfterNext, 0.30).value(), 0.515, 1e-12);
@@ -53,11 +60,7 @@ TEST(FrontRangeAiding, ReadsTheGapToTheNextRiser)
 // 11 cm farther back, is 4 cm before it.
 TEST(FrontRangeAiding, ReadsTheGapOfBlock3ToTheRiserBehind)
 {
-  StateVector state = StateVector::Zero();
-  state[kStateX] = -0.25;
-  state[kStateY] = 1.0;
-  state[kStateWidth] = 2.05;
-  state[kStateTreadHere] = 0.32;
+  const StateVector state = standing_before_riser(0.25);
   const FrontRangeAiding block3(Ranger::kBlock3Front, -0.11, 0.0, ConeOnWall(0.0));
   EXPECT_NEAR(block3.expect(state, SeenRiser::kBehind).value(), 0.04, 1e-12);
 }
@@ -65,12 +68,8 @@ TEST(FrontRangeAiding, ReadsTheGapOfBlock3ToTheRiserBehind)
 // S-B eq. (2), D1-6: the difference of the pair over its baseline is the tangent of the heading.
 TEST(FrontRangeAiding, DifferenceOfThePairIsTheHeading)
 {
-  StateVector state = StateVector::Zero();
-  state[kStateX] = -0.085;
-  state[kStateY] = 1.0;
+  StateVector state = standing_before_riser(0.085);
   state[kStateYaw] = 0.05;
-  state[kStateWidth] = 2.05;
-  state[kStateTreadAhead] = 0.32;
   const FrontRangeAiding left(Ranger::kFrontLeft, 0.19, 0.1, ConeOnWall(0.0));
   const FrontRangeAiding right(Ranger::kFrontRight, 0.19, -0.1, ConeOnWall(0.0));
   const double difference_m =

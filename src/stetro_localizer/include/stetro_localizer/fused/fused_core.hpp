@@ -70,12 +70,13 @@ struct FusedCore
   ContactClosure closure{0.0, 0.0};
   SourceReports reports;
   std::array<Nanoseconds, kRangerCount> used_at{};  ///< when each ranger last corrected
-  std::array<SlipWatch, 2> slips;                   ///< along x, along y
+  std::array<SlipWatch, 2> slips;                   ///< by `StateIndex`: x, y
   Nanoseconds slipping_until{0};                    ///< a slip that was noticed may go on
-  std::array<double, 2> slipped_m{};                ///< lately, along x and along y [m]
-  SlipWatch width_watch;          ///< left and right add up to more or less than the width
-  SlipWatch turn_watch;           ///< the front pair turns otherwise than the gyroscope
-  std::array<bool, 3> doubted{};  ///< x, y, heading: what tells it contradicts; until a contact
+  std::array<double, 2> slipped_m{};                ///< lately, by `StateIndex`: x, y [m]
+  SlipWatch width_watch;  ///< left and right add up to more or less than the width
+  SlipWatch turn_watch;   ///< the front pair turns otherwise than the gyroscope
+  /// By `StateIndex`, x, y, heading: what tells it contradicts; until a contact.
+  std::array<bool, 3> doubted{};
   Nanoseconds rolled_at{0};       ///< the wheels turned last
   std::optional<int> located_on;  ///< step that x and the treads of the state belong to
   double edge_x_m = 0.0;          ///< X of the riser ahead in the flight frame, as built so far [m]

@@ -91,6 +91,7 @@ private:
     double variance_before) const;
   void doubt(FusedCore & core, int axis, double shift_m) const;
   void doubt_heading(FusedCore & core, double difference_m) const;
+  void doubt_pair(FusedCore & core, const RangerPair & pair, double shift_m) const;
   void watch_pairs(FusedCore & core, const RangeSample & sample) const;
   std::optional<Slip> watch_pair(
     const FusedCore & core, SlipWatch & watch, const RangeSample & sample, const RangerPair & pair,

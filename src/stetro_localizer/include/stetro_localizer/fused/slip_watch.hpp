@@ -29,6 +29,7 @@ struct Slip
   double variance_m2;  ///< of it [m^2]
 };
 
+/// Notices that the body has moved without its wheels, and how far.
 /**
  * A slip by d along an axis shifts all later innovations, each by what the filter's corrections
  * have left of it: a d, a = 1 at first. The log-likelihood ratio of such a slip against none is,

@@ -1,0 +1,140 @@
+// Copyright 2026 The sTetro Authors
+//
+// Licensed under the Apache License, Version 2.0 (the "License");
+// you may not use this file except in compliance with the License.
+// You may obtain a copy of the License at
+//
+//     http://www.apache.org/licenses/LICENSE-2.0
+//
+// Unless required by applicable law or agreed to in writing, software
+// distributed under the License is distributed on an "AS IS" BASIS,
+// WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+// See the License for the specific language governing permissions and
+// limitations under the License.
+
+// What a slip looks like in the ranges, and what no slip can be.
+
+#include <cmath>
+
+#include "stetro_localizer/fused/fused_model.hpp"
+
+namespace stetro_localizer
+{
+namespace
+{
+
+constexpr Nanoseconds kSlipGoesOn = std::chrono::milliseconds(200);
+constexpr Nanoseconds kNoSlipBehind = std::chrono::seconds(1);  // at a stand: it would be noticed
+constexpr double kMostlyNoise = 3.0;  // an innovation's variance in that of the reading
+
+constexpr RangerPair kSidePair{{
+  {Ranger::kSideLeft, Place::kSideLeft, Source::kSideLeft, 1.0},
+  {Ranger::kSideRight, Place::kSideRight, Source::kSideRight, 1.0},
+}};
+constexpr RangerPair kFrontPair{{
+  {Ranger::kFrontLeft, Place::kFrontLeft, Source::kFrontLeft, 1.0},
+  {Ranger::kFrontRight, Place::kFrontRight, Source::kFrontRight, -1.0},
+}};
+
+double squared(double value) { return value * value; }
+
+}  // namespace
+
+void FusedModel::note_slip(
+  FusedCore & core, int axis, double innovation_m, const SourceReport & report,
+  double variance_before) const
+{
+  ErrorStateFilter & filter = core.filter;
+  const double kept = filter.variance(axis) / variance_before;
+  const auto slip = core.slips[axis].add(innovation_m, report.innovation_variance, kept);
+  if (!slip) {
+    return;
+  }
+  double & lately_m = core.slipped_m[axis];
+  // Before the first contact the calibration shifts them, too.
+  const bool known = filter.variance(axis) < squared(params_.fused.priors.range_offset_m / 2.0);
+  lately_m += known ? slip->shift_m : 0.0;
+  const bool standing = core.time - core.rolled_at > kNoSlipBehind;
+  const double most_m = params_.fused.most_slip_m / (standing ? 2.0 : 1.0);
+  if (std::abs(lately_m) > most_m) {
+    doubt(core, axis, lately_m);
+    lately_m = 0.0;
+  } else if (!standing) {
+    filter.shift(axis, slip->shift_m, slip->variance_m2);
+    core.slipping_until = core.time + kSlipGoesOn;
+  }
+}
+
+// The sum of both side ranges knows nothing of y, the difference of the front pair nothing of x:
+// what shifts them is a sensor, or the gyroscope. They are watched once contacts have calibrated
+// them.
+void FusedModel::watch_pairs(FusedCore & core, const RangeSample & sample) const
+{
+  if (core.filter.variance(kStateY) > squared(params_.fused.priors.range_offset_m / 2.0)) {
+    return;
+  }
+  Expectation sum(0.0);
+  sum.depends_on(kStateWidth, 1.0);
+  const auto width = watch_pair(core, core.width_watch, sample, kSidePair, sum);
+  if (width) {
+    doubt(core, kStateY, width->shift_m);
+  }
+  Expectation difference(0.0);
+  difference.depends_on(kStateYaw, robot_.front_baseline_m());
+  const auto turn = watch_pair(core, core.turn_watch, sample, kFrontPair, difference);
+  if (turn) {
+    doubt_heading(core, turn->shift_m);
+  }
+}
+
+std::optional<Slip> FusedModel::watch_pair(
+  const FusedCore & core, SlipWatch & watch, const RangeSample & sample, const RangerPair & pair,
+  Expectation model) const
+{
+  double e_m = 0.0;
+  double noise = 0.0;
+  for (const PairedRanger & one : pair) {
+    const SourceReport & report = core.reports[one.source];
+    const RangeReading & reading = sample[one.place];
+    const double variance = range_variance_m2(reading.range_m);
+    const bool seen = report.outcome == Outcome::kFused || report.outcome == Outcome::kGated;
+    if (
+      reading.status != RangeStatus::kValid || !seen ||
+      report.innovation_variance > kMostlyNoise * variance) {
+      return std::nullopt;
+    }
+    model.depends_on(offset_index(one.ranger), one.sign);
+    model.depends_on(gain_index(one.ranger), one.sign * reading.range_m);
+    e_m += one.sign * report.innovation;
+    noise += variance;
+  }
+  const double variance = core.filter.innovation(model, 0.0, noise).variance;
+  return variance < 2.0 * noise ? watch.add(e_m, variance, 1.0) : std::nullopt;
+}
+
+void FusedModel::doubt_heading(FusedCore & core, double difference_m) const
+{
+  core.doubted[kStateYaw] = true;
+  core.filter.inflate(kStateYaw, squared(difference_m / robot_.front_baseline_m()));
+  core.filter.inflate(kStateGyroBias, squared(params_.gyro.bias_sigma_radps));
+  doubt_pair(core, kFrontPair, difference_m);
+}
+
+// No slip is so long, and none happens at a stand: a sensor has changed, or someone moved the
+// robot. Either may be true until the next contact.
+void FusedModel::doubt(FusedCore & core, int axis, double shift_m) const
+{
+  core.doubted[axis] = true;
+  core.filter.inflate(axis, squared(shift_m));
+  doubt_pair(core, axis == kStateX ? kFrontPair : kSidePair, shift_m);
+}
+
+void FusedModel::doubt_pair(FusedCore & core, const RangerPair & pair, double shift_m) const
+{
+  for (const PairedRanger & one : pair) {
+    core.filter.inflate(offset_index(one.ranger), squared(shift_m));
+    core.filter.inflate(gain_index(one.ranger), squared(params_.fused.priors.range_gain));
+  }
+}
+
+}  // namespace stetro_localizer
