@@ -81,8 +81,8 @@ TEST_F(ClosedLoopTest, ClimbsToTheTop)
   const ClimbScore & score = record.scores.front();
   EXPECT_GT(score.samples.size(), 2000u) << "30 a second for some 50 s a tread";
   EXPECT_EQ(score.treads, 3u);
-  EXPECT_EQ(score.step_checks, 3u) << "block 2 is lifted on the floor, on tread 1 and on tread 2";
-  EXPECT_EQ(score.undetected_steps, 0u);
+  EXPECT_EQ(score.steps.checks, 3u) << "block 2 is lifted on the floor, on tread 1 and on tread 2";
+  EXPECT_EQ(score.steps.undetected, 0u);
   EXPECT_EQ(score.closures_m.size(), 2u);
   EXPECT_EQ(score.first_closures_m.size(), 1u);
   EXPECT_EQ(score.out_of_truth, 0u);

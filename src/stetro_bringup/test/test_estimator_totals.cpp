@@ -16,9 +16,7 @@
 
 #include <cmath>
 
-#include "accuracy/accuracy_report.hpp"
 #include "accuracy/estimator_totals.hpp"
-#include "nlohmann/json.hpp"
 
 namespace stetro_bringup
 {
@@ -84,38 +82,76 @@ TEST(EstimatorTotals, AJumpIsTheLargerOfItsTwoParts)
   EXPECT_DOUBLE_EQ(totals.hand_over_x_m.max(), 0.002);
 }
 
-TEST(AccuracyReport, NestsItsKeysAndBoundsItsRates)
+TEST(EstimatorTotals, AddUpTheCountersOfTheClimbs)
 {
-  ClimbRecord record;
-  record.seed = 7;
-  record.end = ClimbEnd::kHeld;
-  record.detail = "integrity is LOST";
-  record.last_step = 3;
-  record.scores.resize(1);
-  ClimbScore & score = record.scores.front();
-  score.samples = {sample_on(2, 0.003, 3.0)};
-  score.closures_m = {0.002, 0.004};
-  score.step_checks = 10;
-  score.ticks_ok = 75;
-  score.ticks_lost = 25;
-  AccuracyReport report{1, 7, "site", "none", "stairs", kSteps, {"paper"}, {"", kSteps, 1}, {}};
-  report.overall.add(record);
-  const auto json = nlohmann::json::parse(summary_json(report));
-  const auto & paper = json["paper"];
-  EXPECT_DOUBLE_EQ(paper["y"]["rmse_m"], 0.003);
-  EXPECT_DOUBLE_EQ(paper["heading"]["max_rad"], 0.0);
-  EXPECT_NEAR(paper["closure_error"]["mean_m"], 0.003, 1e-12);
-  EXPECT_NEAR(paper["closure_error"]["std_m"], 0.001, 1e-12);
-  EXPECT_DOUBLE_EQ(paper["nees_inside_95"], 1.0);
-  EXPECT_EQ(paper["undetected_step_errors"], 0);
-  EXPECT_NEAR(paper["step_errors"]["undetected"]["high_95"], 0.3085, 5e-5);  // none of ten
-  EXPECT_DOUBLE_EQ(paper["integrity"]["ok_share"], 0.75);
-  EXPECT_DOUBLE_EQ(paper["integrity"]["lost_share"], 0.25);
-  EXPECT_TRUE(paper["handover_jump_p999_m"].is_null()) << "there was none";
-  EXPECT_TRUE(paper["first_tread"]["y"]["rmse_m"].is_null());
-  EXPECT_EQ(json["climbs"]["unfinished"][0]["seed"], 7);
-  EXPECT_EQ(json["climbs"]["unfinished"][0]["end"], "held");
-  EXPECT_NE(summary_table(report).find("held on step 3, integrity is LOST"), std::string::npos);
+  ClimbScore one;
+  one.alarms = 2;
+  one.treads = 16;
+  one.treads_exceeded = 1;
+  one.steps = {16, 3, 1, 15, {{0, MiscountEnd::kNoticed}, {1, MiscountEnd::kCorrected}}};
+  ClimbScore other;
+  other.alarms = 1;
+  other.treads = 4;
+  other.steps = {4, 1, 1, 3, {{2, MiscountEnd::kUnnoticed}}};
+  EstimatorTotals totals(kSteps);
+  totals.add(one);
+  totals.add(other);
+  EXPECT_EQ(totals.climbs, 2u);
+  EXPECT_EQ(totals.counts.alarms, 3u);
+  EXPECT_EQ(totals.counts.treads, 20u);
+  EXPECT_EQ(totals.counts.treads_exceeded, 1u);
+  EXPECT_EQ(totals.counts.steps.checks, 20u);
+  EXPECT_EQ(totals.counts.steps.wrong, 4u);
+  EXPECT_EQ(totals.counts.steps.undetected, 2u);
+  EXPECT_EQ(totals.counts.steps.on_stairs, 18u);
+  ASSERT_EQ(totals.counts.steps.miscounts.size(), 3u);
+  EXPECT_EQ(totals.counts.steps.miscounts[2].end, MiscountEnd::kUnnoticed);
+}
+
+TEST(EstimatorTotals, KeepsTheLongestTimesAndCountsTheClimbsBeyondOneSecond)
+{
+  EstimatorTotals totals(kSteps);
+  for (const double exceedance_s : {0.2, 1.0, 1.01, 3.0}) {
+    ClimbScore score;
+    score.longest_exceedance_s = exceedance_s;
+    score.longest_confirmation_s = 0.1 * exceedance_s;
+    totals.add(score);
+  }
+  EXPECT_EQ(totals.exceeded_climbs, 2u) << "one second is tolerated";
+  EXPECT_DOUBLE_EQ(totals.longest_exceedance_s, 3.0);
+  EXPECT_DOUBLE_EQ(totals.longest_confirmation_s, 0.3);
+}
+
+TEST(EstimatorTotals, JudgesOnlyFaultsThatStruckAndCouldBeNoticed)
+{
+  EstimatorTotals totals(kSteps);
+  ClimbScore score;
+  totals.add(score);  // none injected
+  score.detection = Detection{};
+  totals.add(score);  // ended before it
+  score.detection->struck = true;
+  totals.add(score);  // missed
+  score.detection->never_ok = true;
+  totals.add(score);
+  EXPECT_EQ(totals.detections.size(), 1u);
+  EXPECT_EQ(totals.never_ok, 1u);
+}
+
+TEST(EstimatorTotals, TakesLevelsAndSpreadsOnlyWhereTheyAreKnown)
+{
+  ClimbScore score;
+  score.samples = {sample_on(2, 0.0, 3.0), sample_on(2, 0.0, 3.0)};
+  score.samples[0].protection = {0.020, 0.030, std::nan("")};
+  score.samples[0].sigma_x_m = std::nan("");
+  score.samples[1].sigma_x_m = 0.004;
+  score.samples[1].after_onset = true;
+  EstimatorTotals totals(kSteps);
+  totals.add(score);
+  EXPECT_EQ(totals.protection_along_m.count(), 1u);
+  EXPECT_DOUBLE_EQ(totals.protection_across_m.max(), 0.030);
+  EXPECT_EQ(totals.protection_heading_rad.count(), 0u);
+  EXPECT_DOUBLE_EQ(totals.treads[2].sigma_x_m.rms(), 0.004);
+  EXPECT_EQ(totals.after_onset.y_m.count(), 1u);
 }
 
 }  // namespace

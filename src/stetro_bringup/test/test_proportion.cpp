@@ -60,6 +60,44 @@ TEST(Proportion, ThirtyThousandCleanStepsClaimOneInTenThousand)
   EXPECT_GT(clopper_pearson(0, 29'000, 0.90).high, 1e-4);
 }
 
+TEST(Proportion, TwoSidedItTakesMoreStepsToClaimOneInTenThousand)
+{
+  EXPECT_GT(clopper_pearson(0, 36'800).high, 1e-4);
+  EXPECT_LT(clopper_pearson(0, 36'900).high, 1e-4) << "ln(40) / 1e-4";
+}
+
+// Far below and far above the mean the sums must neither stop early nor lose themselves.
+TEST(Proportion, BoundsOfManyAreThoseOfTheNormalDistribution)
+{
+  const Interval bounds = clopper_pearson(5000, 10'000);
+  EXPECT_NEAR(bounds.low, 0.5 - 1.96 * 0.005, 1e-4);
+  EXPECT_NEAR(bounds.high, 0.5 + 1.96 * 0.005, 1e-4);
+}
+
+// exp(-2) (1 + 2 + 2) for two or fewer.
+TEST(Proportion, PoissonSumsAreWorkedByHand)
+{
+  EXPECT_NEAR(poisson_at_most(0, 2.0), std::exp(-2.0), 1e-14);
+  EXPECT_NEAR(poisson_at_most(2, 2.0), 5.0 * std::exp(-2.0), 1e-14);
+  EXPECT_EQ(poisson_at_most(0, 0.0), 1.0);
+}
+
+// None: exp(-m) = 0.025. The rest from chi-square tables: half of 0.0506 (2 degrees of freedom) and
+// of 11.1433 (4) for one, of 9.5908 (20) and of 36.7807 (22) for ten.
+TEST(Proportion, EventsAStepHaveGarwoodsBounds)
+{
+  EXPECT_EQ(garwood(0, 10).low, 0.0);
+  EXPECT_NEAR(garwood(0, 10).high, -std::log(0.025) / 10.0, 1e-12);
+  EXPECT_NEAR(garwood(1, 1).low, 0.0253, 5e-5);
+  EXPECT_NEAR(garwood(1, 1).high, 5.5716, 5e-5);
+  EXPECT_NEAR(garwood(10, 100).low, 0.047954, 5e-6);
+  EXPECT_NEAR(garwood(10, 100).high, 0.183904, 5e-6);
+  EXPECT_GT(garwood(7, 2).high, 1.0) << "there may be more than one a step";
+  EXPECT_TRUE(std::isinf(garwood(0, 0).high));
+  EXPECT_EQ(garwood(0, 0).low, 0.0);
+  EXPECT_THROW(static_cast<void>(garwood(0, 1, 0.0)), std::invalid_argument);
+}
+
 TEST(Proportion, OfNothingIsEverything)
 {
   EXPECT_EQ(clopper_pearson(0, 0).low, 0.0);

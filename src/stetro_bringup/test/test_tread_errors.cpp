@@ -18,14 +18,11 @@
 
 #include "accuracy/proportion.hpp"
 #include "accuracy/tread_errors.hpp"
-#include "accuracy/truth_ring.hpp"
 
 namespace stetro_bringup
 {
 namespace
 {
-
-using std::chrono_literals::operator""ms;
 
 /// Four steps of 14 cm by 32 cm, 2 m wide, as the site file has them.
 stetro_site::Flight drawn_flight()
@@ -96,6 +93,20 @@ TEST(TreadErrors, AWrongStepCostsATreadAndARiser)
   EXPECT_NEAR(errors.z_m, -0.14, 1e-12);
 }
 
+TEST(TreadErrors, TheEstimatesOwnDistancesGoBeforeTheDrawing)
+{
+  auto estimate = estimate_on(2, 0.555);
+  estimate.riser_ahead_m = 0.087;  // truly 0.088: 1 mm too far ahead
+  estimate.tread_x_m = 0.237;      // truly 0.235
+  const TreadErrors told = errors_of(estimate, truth_on_tread_2(), drawn_flight());
+  EXPECT_NEAR(told.x_m, 0.001, 1e-12);
+  EXPECT_NEAR(told.x_behind_m, 0.002, 1e-12);
+  estimate.step = 1;  // they are another tread's
+  const TreadErrors drawn = errors_of(estimate, truth_on_tread_2(), drawn_flight());
+  EXPECT_NEAR(drawn.x_m, 0.003, 1e-12);
+  EXPECT_NEAR(drawn.x_behind_m, 0.0, 1e-12);
+}
+
 TEST(TreadErrors, OnTheLastTreadOnlyTheRiserBehindIsLeft)
 {
   stetro_driver::GroundTruth truth = truth_on_tread_2();
@@ -147,25 +158,6 @@ TEST(Nees, KnowsThatErrorsBelongTogether)
   TreadErrors errors{};
   errors.y_m = errors.heading_rad = 1.0;
   EXPECT_NEAR(nees_of(errors, covariance), 0.4 / 0.36, 1e-12);
-}
-
-TEST(TruthRing, MeetsAnEstimateAtItsOwnTime)
-{
-  TruthRing ring;
-  EXPECT_FALSE(ring.at(1000ms));
-  stetro_driver::GroundTruth truth;
-  for (int tick = 0; tick < 200; ++tick) {
-    truth.time = 1000ms + tick * 10ms;
-    truth.y_m = 0.001 * tick;
-    truth.step = tick < 150 ? 1 : 2;
-    ring.add(truth);
-  }
-  EXPECT_NEAR(ring.at(2000ms)->y_m, 0.100, 1e-12);
-  EXPECT_NEAR(ring.at(2003ms)->y_m, 0.1003, 1e-12) << "between two ticks";
-  EXPECT_EQ(ring.at(2495ms)->step, 1);
-  EXPECT_EQ(ring.at(2500ms)->step, 2);
-  EXPECT_FALSE(ring.at(3000ms)) << "that is the future";
-  EXPECT_FALSE(ring.at(1500ms)) << "that is forgotten";
 }
 
 }  // namespace

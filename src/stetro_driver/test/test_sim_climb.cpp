@@ -114,6 +114,7 @@ TEST(SimClimb, TwoStepsWithAllErrors)
     options.errors.tof_offset_std_m = 0.0;
     options.errors.tof_white_std_m = 0.0;
     options.errors.tof_slow_std_m = 0.0;
+    options.errors.tof_flicker_std_m = 0.0;
     SimRobot robot{paper_stairs(), {}, options};
     Pilot pilot{robot};
     approach(pilot);

@@ -265,8 +265,8 @@ TEST_F(SimRobotSnapshot, OfAnotherLayoutIsOfAnotherWorld)
     identity_of(paper_stairs(), {}, options_),
     identity_of(paper_stairs(), {}, options_, kStateLayout + 1));
   // Whoever changes what a world stores changes this number, and kStateLayout with it.
-  EXPECT_EQ(kStateLayout, 3u);
-  EXPECT_EQ((SimRobot{paper_stairs(), {}, options_}.state().size()), 5323u);
+  EXPECT_EQ(kStateLayout, 4u);
+  EXPECT_EQ((SimRobot{paper_stairs(), {}, options_}.state().size()), 5451u);
 }
 
 TEST(StateReader, IsExhaustedByExactlyWhatIsThere)

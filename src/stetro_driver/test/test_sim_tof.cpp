@@ -129,6 +129,28 @@ TEST(SimTof, HasTheNoiseOfTheDataSheet)
   EXPECT_NEAR(std::sqrt(squares / kReadings), expected_m, 0.0003);
 }
 
+// Property: the flicker has numbers of its own. Without it the other errors stay what they are.
+TEST(SimTof, FlickersBesideItsOtherErrors)
+{
+  Scene scene{{-0.55, 0.55, 0.0}};
+  SimErrors calm;
+  calm.tof_flicker_std_m = 0.0;
+  SimTof with = scene.sensor(RangePlace::kSideRight, SimErrors{});
+  SimTof without = scene.sensor(RangePlace::kSideRight, calm);
+  EXPECT_EQ(with.offset_m(), without.offset_m());
+  EXPECT_EQ(with.gain(), without.gain());
+  double squares_m2 = 0.0;
+  constexpr int kReadings = 20000;  // 110 of its time constants
+  for (int i = 0; i < kReadings; ++i) {
+    const double apart_m = with.measure(scene.body, Time{i + 1}, 0.033).range_m -
+                           without.measure(scene.body, Time{i + 1}, 0.033).range_m;
+    ASSERT_LT(std::abs(apart_m), 0.003) << "five standard deviations, rounded twice";
+    squares_m2 += apart_m * apart_m;
+  }
+  // Each rounding adds 1 mm^2 / 12; both together 0.41 mm.
+  EXPECT_NEAR(std::sqrt(squares_m2 / kReadings), std::hypot(0.0003, 0.00041), 0.00006);
+}
+
 TEST(SimTof, DrawsOffsetsAsItsCalibrationSays)
 {
   Scene scene{{-0.55, 0.55, 0.0}};

@@ -16,51 +16,18 @@
 #include <cmath>
 
 #include "accuracy/accuracy_report.hpp"
-#include "accuracy/proportion.hpp"
-#include "nlohmann/json.hpp"
+#include "accuracy/json_figures.hpp"
+#include "accuracy/noticing.hpp"
 
 namespace stetro_bringup
 {
 namespace
 {
 
-using Json = nlohmann::ordered_json;
-
 constexpr char kSampling[] =
   "each new estimate while the robot sweeps or climbs, against the truth of its own stamp, from "
   "the "
   "end of the first tread on; without those between a touch-down and its being counted";
-
-// JSON has no NaN: what is not known is null.
-Json known(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
-double share_of(std::uint64_t part, std::uint64_t whole)
-{
-  return whole == 0 ? std::nan("") : static_cast<double>(part) / static_cast<double>(whole);
-}
-
-/// A count out of so many, and what it says of the rate behind it.
-Json rate(std::uint64_t count, std::uint64_t of)
-{
-  const Interval bounds = clopper_pearson(count, of);
-  return {
-    {"count", count},
-    {"of", of},
-    {"share", known(share_of(count, of))},
-    {"low_95", bounds.low},
-    {"high_95", bounds.high}};
-}
-
-Json figures(const ErrorDistribution & errors, const std::string & unit)
-{
-  return {
-    {"rmse_" + unit, known(errors.rmse())},
-    {"mean_" + unit, known(errors.mean())},
-    {"std_" + unit, known(errors.standard_deviation())},
-    {"p95_" + unit, known(errors.percentile(0.95))},
-    {"p999_" + unit, known(errors.percentile(0.999))},
-    {"max_" + unit, known(errors.max())}};
-}
 
 void put(Json & to, const ErrorGroup & errors)
 {
@@ -121,13 +88,25 @@ Json protection_json(const EstimatorTotals & totals)
     {"samples", totals.protection_across_m.count()}};
 }
 
-Json step_errors_json(const EstimatorTotals & totals)
+Json miscounts_json(const std::vector<Miscount> & miscounts)
 {
-  const ClimbScore & counts = totals.counts;
+  const MiscountNoticing all = noticing_of(miscounts);
   return {
-    {"checks", counts.step_checks},
-    {"wrong", rate(counts.wrong_steps, counts.step_checks)},
-    {"undetected", rate(counts.undetected_steps, counts.step_checks)}};
+    {"began", all.began},
+    {"noticed_before_next_climb", rate(all.before_next_climb, all.began)},
+    {"noticed_within_one_step", rate(all.within_one_step, all.began)},
+    {"noticed_by_climbs_begun", all.by_climbs},
+    {"corrected_unnoticed", all.corrected},
+    {"never_noticed", all.unnoticed}};
+}
+
+Json step_errors_json(const StepTally & steps)
+{
+  return {
+    {"checks", steps.checks},
+    {"wrong", rate(steps.wrong, steps.checks)},
+    {"undetected", rate(steps.undetected, steps.checks)},
+    {"miscounts", miscounts_json(steps.miscounts)}};
 }
 
 Json treads_json(const EstimatorTotals & totals)
@@ -176,19 +155,13 @@ Json times_json(const std::vector<Detection> & detections, double Detection::*ti
 Json detection_json(const EstimatorTotals & totals)
 {
   const auto & all = totals.detections;
-  const auto missed = static_cast<std::uint64_t>(
-    std::count_if(all.begin(), all.end(), [](const Detection & d) { return !d.detected; }));
-  const auto in_time = static_cast<std::uint64_t>(std::count_if(
-    all.begin(), all.end(), [](const Detection & d) { return d.detected && d.motion_s <= 1.0; }));
-  const auto in_telling_time =
-    static_cast<std::uint64_t>(std::count_if(all.begin(), all.end(), [](const Detection & d) {
-      return d.detected && d.telling_motion_s <= 1.0;
-    }));
+  const FaultNoticing noticing = noticing_of(all);
   Json json{
-    {"struck", all.size()},
-    {"missed", rate(missed, all.size())},
-    {"within_1_s_of_motion", rate(in_time, all.size())},
-    {"within_1_s_of_telling_motion", rate(in_telling_time, all.size())},
+    {"struck", noticing.struck + totals.never_ok},
+    {"never_ok_again", totals.never_ok},
+    {"missed", rate(noticing.missed, noticing.struck)},
+    {"within_1_s_of_motion", rate(noticing.in_time, noticing.struck)},
+    {"within_1_s_of_telling_motion", rate(noticing.in_telling_time, noticing.struck)},
     {"time", times_json(all, &Detection::time_s)},
     {"motion", times_json(all, &Detection::motion_s)},
     {"telling_motion", times_json(all, &Detection::telling_motion_s)}};
@@ -196,7 +169,7 @@ Json detection_json(const EstimatorTotals & totals)
   return json;
 }
 
-Json estimator_json(const EstimatorTotals & totals)
+Json estimator_json(const EstimatorTotals & totals, bool fault_free)
 {
   Json json;
   put(json, totals.errors);
@@ -210,8 +183,11 @@ Json estimator_json(const EstimatorTotals & totals)
     {"all", nees_json(totals.nees)},
     {"with_front_reference", nees_json(totals.nees_with_reference)},
     {"without_front_reference", nees_json(totals.nees_without_reference)}};
-  json["undetected_step_errors"] = totals.counts.undetected_steps;
-  json["step_errors"] = step_errors_json(totals);
+  json["undetected_step_errors"] = totals.counts.steps.undetected;
+  json["step_errors"] = step_errors_json(totals.counts.steps);
+  if (fault_free) {
+    json["false_alarms"] = times_a_step(totals.counts.alarms, totals.counts.steps.on_stairs);
+  }
   json["closure_error"] = closure_json(totals.closure_m);
   json["integrity"] = integrity_json(totals);
   json["protection"] = protection_json(totals);
@@ -225,7 +201,7 @@ Json estimator_json(const EstimatorTotals & totals)
     {"z", figures(totals.flight_z_m, "m")},
     {"heading", figures(totals.errors.heading_rad, "rad")}};
   json["treads"] = treads_json(totals);
-  if (totals.after_onset.y_m.count() > 0) {
+  if (totals.never_ok > 0 || !totals.detections.empty()) {
     json["detection"] = detection_json(totals);
   }
   return json;
@@ -250,11 +226,12 @@ Json climbs_json(const ScenarioTotals & totals)
     {"unfinished", unfinished}};
 }
 
-void put(Json & to, const ScenarioTotals & totals, const std::vector<std::string> & estimators)
+void put(Json & to, const ScenarioTotals & totals, const AccuracyReport & report)
 {
+  const bool fault_free = report.scenarios.empty();
   to["climbs"] = climbs_json(totals);
-  for (std::size_t i = 0; i < estimators.size(); ++i) {
-    to[estimators[i]] = estimator_json(totals.estimators[i]);
+  for (std::size_t i = 0; i < report.estimators.size(); ++i) {
+    to[report.estimators[i]] = estimator_json(totals.estimators[i], fault_free);
   }
 }
 
@@ -272,9 +249,9 @@ std::string summary_json(const AccuracyReport & report)
     {"estimators", report.estimators},
     {"driving", report.estimators.front()},
     {"sampling", kSampling}};
-  put(json, report.overall, report.estimators);
+  put(json, report.overall, report);
   for (const ScenarioTotals & scenario : report.scenarios) {
-    put(json["faults"][scenario.name], scenario, report.estimators);
+    put(json["faults"][scenario.name], scenario, report);
   }
   return json.dump(2) + "\n";
 }

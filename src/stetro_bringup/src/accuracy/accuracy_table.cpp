@@ -12,12 +12,13 @@
 // See the License for the specific language governing permissions and
 // limitations under the License.
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 
 #include "accuracy/accuracy_report.hpp"
+#include "accuracy/error_rows.hpp"
+#include "accuracy/noticing.hpp"
 #include "accuracy/proportion.hpp"
 
 namespace stetro_bringup
@@ -41,36 +42,40 @@ double percent(std::uint64_t part, std::uint64_t whole)
   return whole == 0 ? std::nan("") : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
 }
 
-std::string row(
-  const char * name, const ErrorDistribution & errors, double scale, const char * unit)
+std::string error_table(const EstimatorTotals & totals)
 {
-  return line(
-    "  %-18s %9.2f %9.2f %9.2f %9.2f %9.2f %9.2f  %s\n", name, scale * errors.rmse(),
-    scale * errors.mean(), scale * errors.standard_deviation(), scale * errors.percentile(0.95),
-    scale * errors.percentile(0.999), scale * errors.max(), unit);
+  std::string text = line(
+    "  %-18s %9s %9s %9s %9s %9s %9s\n", "error", "rms", "mean", "std", "95 %", "99.9 %", "max");
+  for (const ErrorRow & row : error_rows(totals)) {
+    text += line(
+      "  %-18s %9.2f %9.2f %9.2f %9.2f %9.2f %9.2f  %s\n", row.name, row.scale * row.errors.rmse(),
+      row.scale * row.errors.mean(), row.scale * row.errors.standard_deviation(),
+      row.scale * row.errors.percentile(0.95), row.scale * row.errors.percentile(0.999),
+      row.scale * row.errors.max(), row.unit);
+  }
+  return text;
 }
 
-std::string error_rows(const EstimatorTotals & totals)
+std::string step_rows(const StepTally & steps)
 {
-  const ErrorGroup & errors = totals.errors;
-  return line(
-           "  %-18s %9s %9s %9s %9s %9s %9s\n", "error", "rms", "mean", "std", "95 %", "99.9 %",
-           "max") +
-         row("x, riser ahead", errors.x_m, kMillimetres, "mm") +
-         row("x, riser behind", errors.x_behind_m, kMillimetres, "mm") +
-         row("y, right wall", errors.y_m, kMillimetres, "mm") +
-         row("z, tread", errors.z_m, kMillimetres, "mm") +
-         row("heading", errors.heading_rad, kDegrees, "deg") +
-         row("heading to riser", errors.heading_to_riser_rad, kDegrees, "deg") +
-         row("flight frame x", totals.flight_x_m, kMillimetres, "mm") +
-         row("flight frame z", totals.flight_z_m, kMillimetres, "mm") +
-         row("hand-over jump", totals.hand_over_m, kMillimetres, "mm") +
-         row("contact closure", totals.closure_m, kMillimetres, "mm") +
-         row("first tread y", totals.first_tread.y_m, kMillimetres, "mm") +
-         row("first tread head.", totals.first_tread.heading_rad, kDegrees, "deg");
+  const Interval bounds = clopper_pearson(steps.undetected, steps.checks);
+  std::string text = line(
+    "  step wrong before a climb: %.0f of %.0f, unnoticed %.0f (95 %%: %.1e to %.1e a step)\n",
+    static_cast<double>(steps.wrong), static_cast<double>(steps.checks),
+    static_cast<double>(steps.undetected), bounds.low, bounds.high);
+  const MiscountNoticing miscounts = noticing_of(steps.miscounts);
+  if (miscounts.began > 0) {
+    text += line(
+      "  miscounts: %.0f; noticed before the next climb %.0f, within one step %.0f; corrected "
+      "unnoticed %.0f, never noticed %.0f\n",
+      static_cast<double>(miscounts.began), static_cast<double>(miscounts.before_next_climb),
+      static_cast<double>(miscounts.within_one_step), static_cast<double>(miscounts.corrected),
+      static_cast<double>(miscounts.unnoticed));
+  }
+  return text;
 }
 
-std::string trust_rows(const EstimatorTotals & totals)
+std::string trust_rows(const EstimatorTotals & totals, bool fault_free)
 {
   const ClimbScore & counts = totals.counts;
   const std::uint64_t ticks = counts.ticks_ok + counts.ticks_degraded + counts.ticks_lost;
@@ -82,11 +87,14 @@ std::string trust_rows(const EstimatorTotals & totals)
     "  integrity: OK %.2f %%, DEGRADED %.3f %%, LOST %.3f %% of the time\n",
     percent(counts.ticks_ok, ticks), percent(counts.ticks_degraded, ticks),
     percent(counts.ticks_lost, ticks));
-  const Interval steps = clopper_pearson(counts.undetected_steps, counts.step_checks);
-  text += line(
-    "  step wrong before a climb: %.0f of %.0f, unnoticed %.0f (95 %%: %.1e to %.1e a step)\n",
-    static_cast<double>(counts.wrong_steps), static_cast<double>(counts.step_checks),
-    static_cast<double>(counts.undetected_steps), steps.low, steps.high);
+  text += step_rows(counts.steps);
+  if (fault_free) {
+    const Interval bounds = garwood(counts.alarms, counts.steps.on_stairs);
+    text += line(
+      "  false alarms after the first tread: %.0f in %.0f steps (95 %%: %.1e to %.1e a step)\n",
+      static_cast<double>(counts.alarms), static_cast<double>(counts.steps.on_stairs), bounds.low,
+      bounds.high);
+  }
   if (totals.protection_across_m.count() > 0) {
     text += line(
       "  protection, median: along %.1f mm, across %.1f mm, heading %.2f deg; exceeded while OK "
@@ -101,29 +109,23 @@ std::string trust_rows(const EstimatorTotals & totals)
 
 std::string detection_row(const std::string & scenario, const EstimatorTotals & totals)
 {
-  double latest_s = 0.0;
-  double latest_motion_s = 0.0;
-  int missed = 0;
-  for (const Detection & detection : totals.detections) {
-    missed += detection.detected ? 0 : 1;
-    if (detection.detected) {
-      latest_s = std::max(latest_s, detection.time_s);
-      latest_motion_s = std::max(latest_motion_s, detection.telling_motion_s);
-    }
-  }
+  const FaultNoticing noticing = noticing_of(totals.detections);
+  const Interval missed = clopper_pearson(noticing.missed, noticing.struck);
   return line(
-    "  %-15s %6d %7d %9.1f %9.1f %9.1f %10.1f %8.2f %9.2f %10.0f\n", scenario.substr(0, 15).c_str(),
-    static_cast<int>(totals.detections.size()), missed, latest_s, latest_motion_s,
-    kMillimetres * totals.after_onset.x_m.max(), kMillimetres * totals.after_onset.y_m.max(),
-    kDegrees * totals.after_onset.heading_rad.max(), totals.longest_exceedance_s,
-    static_cast<double>(totals.counts.undetected_steps));
+    "  %-15s %6.0f %7.0f %9.2f %9.2f %9.1f %9.1f %9.1f %10.1f %8.2f %9.2f %10.0f\n",
+    scenario.substr(0, 15).c_str(), static_cast<double>(noticing.struck),
+    static_cast<double>(noticing.missed), missed.low, missed.high, noticing.latest_s,
+    noticing.latest_telling_s, kMillimetres * totals.after_onset.x_m.max(),
+    kMillimetres * totals.after_onset.y_m.max(), kDegrees * totals.after_onset.heading_rad.max(),
+    totals.longest_exceedance_s, static_cast<double>(totals.counts.steps.undetected));
 }
 
 std::string scenario_table(const AccuracyReport & report, std::size_t estimator)
 {
   std::string text = line(
-    "  %-15s %6s %7s %9s %9s %9s %10s %8s %9s %10s\n", "fault", "struck", "missed", "latest s",
-    "telling s", "max x mm", "max y mm", "max deg", "beyond s", "wrong step");
+    "  %-15s %6s %7s %9s %9s %9s %9s %9s %10s %8s %9s %10s\n", "fault", "struck", "missed",
+    "from 95 %", "to 95 %", "latest s", "telling s", "max x mm", "max y mm", "max deg", "beyond s",
+    "wrong step");
   for (const ScenarioTotals & scenario : report.scenarios) {
     text += detection_row(scenario.name, scenario.estimators[estimator]);
   }
@@ -157,7 +159,7 @@ std::string summary_table(const AccuracyReport & report)
     const EstimatorTotals & totals = report.overall.estimators[i];
     text += "\n" + report.estimators[i] + (i == 0 ? ", driving" : ", listening") + ": " +
             std::to_string(totals.errors.y_m.count()) + " estimates from the second tread on\n" +
-            error_rows(totals) + trust_rows(totals);
+            error_table(totals) + trust_rows(totals, report.scenarios.empty());
     if (!report.scenarios.empty()) {
       text += scenario_table(report, i);
     }

@@ -16,6 +16,7 @@
 
 #include "accuracy/closed_loop.hpp"
 #include "accuracy/estimate_scorer.hpp"
+#include "accuracy/moment.hpp"
 
 namespace stetro_bringup
 {
@@ -39,12 +40,12 @@ ClimbRecord climb(const RobotSetup & setup, const ClimbOrder & order)
   ClosedLoop loop(setup, sim_options(setup, order), order.estimators);
   std::vector<EstimateScorer> scorers;
   for (std::size_t i = 0; i < loop.estimators(); ++i) {
-    scorers.emplace_back(i, setup.flight(), order.onset);
+    scorers.emplace_back(setup.flight(), order.onset);
   }
   while (loop.end() == ClimbEnd::kRunning) {
     loop.tick();
-    for (EstimateScorer & scorer : scorers) {
-      scorer.watch(loop);
+    for (std::size_t i = 0; i < scorers.size(); ++i) {
+      scorers[i].watch(moment_of(loop, i));
     }
   }
   ClimbRecord record;

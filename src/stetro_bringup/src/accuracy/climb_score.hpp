@@ -22,7 +22,9 @@
 #include <vector>
 
 #include "accuracy/closed_loop.hpp"
+#include "accuracy/fault_watch.hpp"
 #include "accuracy/protection.hpp"
+#include "accuracy/step_watch.hpp"
 #include "accuracy/tread_errors.hpp"
 
 namespace stetro_bringup
@@ -51,16 +53,6 @@ struct HandOver
   double y_m = 0.0;
 };
 
-/// What became of one injected fault.
-struct Detection
-{
-  bool struck = false;            ///< the climb lasted until the onset
-  bool detected = false;          ///< integrity left OK after the onset
-  double time_s = 0.0;            ///< from the onset to it, or to the end of the climb
-  double motion_s = 0.0;          ///< the part of it in which the body moved
-  double telling_motion_s = 0.0;  ///< the part in which it moved so that the sensor must tell
-};
-
 /// One estimator in one climb.
 struct ClimbScore
 {
@@ -78,11 +70,10 @@ struct ClimbScore
   std::uint64_t resets = 0;             ///< jumps that the estimate declared
   std::uint64_t without_value = 0;      ///< estimates that lack x, y, z or the heading
   std::uint64_t out_of_truth = 0;       ///< estimates stamped outside the kept truth
-  std::uint64_t step_checks = 0;        ///< times that block 2 was about to be lifted
-  std::uint64_t wrong_steps = 0;        ///< of these, with a wrong step
-  std::uint64_t undetected_steps = 0;   ///< of these, with integrity OK
-  double longest_exceedance_s = 0.0;    ///< error beyond the protection level while OK
-  std::optional<Detection> detection;   ///< only when a fault was injected
+  std::uint64_t alarms = 0;             ///< times integrity left OK after the first tread
+  StepTally steps;
+  double longest_exceedance_s = 0.0;   ///< error beyond the protection level while OK
+  std::optional<Detection> detection;  ///< only when a fault was injected
 };
 
 /// One climb.

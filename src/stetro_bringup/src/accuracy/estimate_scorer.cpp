@@ -16,29 +16,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 #include <utility>
-#include <vector>
 
 namespace stetro_bringup
 {
 namespace
 {
 
-using stetro_driver::GroundTruth;
 using stetro_driver::Time;
-using stetro_localizer::Estimator;
 using stetro_localizer::Integrity;
-using stetro_localizer::Outcome;
-using stetro_localizer::Source;
 using stetro_supervisor::Phase;
 using stetro_supervisor::State;
 
-constexpr double kTick_s = 0.01;
 constexpr double kConfirmation_s = 0.5;  // a touch-down not counted by then is a wrong step
-// A tenth of what the slowest motion, 2 cm/s and 0.1 rad/s, makes of a tick.
-constexpr double kMoved_m = 2e-5;
-constexpr double kTurned_rad = 1e-4;
 
 bool works(State state)
 {
@@ -51,28 +41,6 @@ bool complete(const TreadErrors & e)
   return std::isfinite(e.x_m + e.x_behind_m + e.y_m + e.z_m + e.heading_rad);
 }
 
-/// Which of the side and front sensors have their target in sight, believed or not.
-std::uint32_t sensors_in_use(const Estimator & estimator)
-{
-  static const auto kSources = [] {
-    std::vector<Source> sources;
-    for (std::size_t i = 0; i < stetro_localizer::kSourceCount; ++i) {
-      const std::string name = stetro_localizer::to_string(static_cast<Source>(i));
-      if (name.rfind("side_", 0) == 0 || name.rfind("front_", 0) == 0) {
-        sources.push_back(static_cast<Source>(i));
-      }
-    }
-    return sources;
-  }();
-  std::uint32_t in_use = 0;
-  for (const Source source : kSources) {
-    const Outcome outcome = estimator.reports()[source].outcome;
-    const bool sees = outcome == Outcome::kFused || outcome == Outcome::kGated;
-    in_use = in_use << 1U | (sees ? 1U : 0U);
-  }
-  return in_use;
-}
-
 bool exceeds(const ScoredEstimate & sample)
 {
   // False for a level that is not given.
@@ -81,67 +49,63 @@ bool exceeds(const ScoredEstimate & sample)
          std::abs(sample.errors.heading_rad) > sample.protection.heading_rad;
 }
 
-bool tells(TellingMotion telling, bool along, bool across, bool turning)
-{
-  switch (telling) {
-    case TellingMotion::kAcross:
-      return across;
-    case TellingMotion::kAlong:
-      return along || turning;
-    case TellingMotion::kTurning:
-      return turning;
-    case TellingMotion::kAny:
-      break;
-  }
-  return along || across || turning;
-}
-
 }  // namespace
 
 EstimateScorer::EstimateScorer(
-  std::size_t estimator, const stetro_site::Flight & flight,
-  const std::optional<FaultOnset> & onset)
-: estimator_(estimator), flight_(flight), onset_(onset)
+  const stetro_site::Flight & flight, const std::optional<FaultOnset> & onset)
+: flight_(flight), onset_(onset)
 {
-  if (onset_) {
-    score_.detection = Detection{};
+  if (onset) {
+    fault_.emplace(*onset);
   }
 }
 
-void EstimateScorer::watch(const ClosedLoop & loop)
+void EstimateScorer::watch(const Moment & now)
 {
-  if (loop.accepted()) {
-    watch_confirmation(loop);
-    watch_integrity(loop);
-    watch_steps(loop);
-    watch_closure(loop);
-    watch_fault(loop);
-    if (loop.refreshed(estimator_)) {
-      score(loop);
+  if (now.accepted) {
+    watch_confirmation(now);
+    watch_integrity(now);
+    steps_.watch(now);
+    watch_closure(now);
+    if (now.refreshed) {
+      score(now);
     }
   }
-  last_truth_ = loop.truth();
+  if (fault_) {
+    fault_->watch(now);
+  }
+  last_step_ = now.truth.step;
 }
 
 ClimbScore EstimateScorer::take()
 {
   end_closure();
   end_tread();
+  score_.steps = steps_.take();
+  if (fault_) {
+    score_.detection = fault_->detection();
+  }
   return std::move(score_);
 }
 
-void EstimateScorer::watch_integrity(const ClosedLoop & loop)
+void EstimateScorer::watch_integrity(const Moment & now)
 {
-  const Integrity integrity = estimate(loop).integrity;
-  score_.ticks_ok += integrity == Integrity::kOk ? 1 : 0;
+  const Integrity integrity = now.estimate.integrity;
+  const bool ok = integrity == Integrity::kOk;
+  score_.ticks_ok += ok ? 1 : 0;
   score_.ticks_degraded += integrity == Integrity::kDegraded ? 1 : 0;
   score_.ticks_lost += integrity == Integrity::kLost ? 1 : 0;
-  score_.resets = estimate(loop).reset_counter;
-  if (loop.truth().step != tread_) {
+  score_.resets = now.estimate.reset_counter;
+  score_.alarms += was_ok_ && !ok && !steps_.first_tread() ? 1 : 0;
+  was_ok_ = ok;
+  if (now.truth.step != tread_) {
     end_tread();
-    tread_ = loop.truth().step;
+    tread_ = now.truth.step;
   }
-  alarmed_ = alarmed_ || integrity != Integrity::kOk;
+  if (!ok) {  // with or without a new estimate
+    alarmed_ = true;
+    exceeds_since_.reset();
+  }
 }
 
 void EstimateScorer::end_tread()
@@ -155,46 +119,30 @@ void EstimateScorer::end_tread()
   exceeded_ = false;
 }
 
-void EstimateScorer::watch_confirmation(const ClosedLoop & loop)
+void EstimateScorer::watch_confirmation(const Moment & now)
 {
-  const int step = loop.truth().step;
-  if (step != last_truth_.step) {
+  const int step = now.truth.step;
+  if (step != last_step_) {
     confirming_ = true;
-    came_down_ = loop.time();
+    came_down_ = now.time;
   }
   if (!confirming_) {
     return;
   }
-  const double since_s = stetro_driver::time_to_seconds(loop.time() - came_down_);
-  confirming_ = estimate(loop).step != step && since_s <= kConfirmation_s;
+  const double since_s = stetro_driver::time_to_seconds(now.time - came_down_);
+  confirming_ = now.estimate.step != step && since_s <= kConfirmation_s;
   score_.longest_confirmation_s = std::max(score_.longest_confirmation_s, since_s);
 }
 
-void EstimateScorer::watch_steps(const ClosedLoop & loop)
-{
-  const State state = loop.climb().state();
-  const bool lifts_now = state == State::kLiftBlock2 && state_ != state;
-  state_ = state;
-  if (!lifts_now) {
-    return;
-  }
-  const int step = loop.truth().step;
-  first_tread_ = first_tread_ && step == 0;
-  const bool wrong = estimate(loop).step != step;
-  ++score_.step_checks;
-  score_.wrong_steps += wrong ? 1 : 0;
-  score_.undetected_steps += wrong && estimate(loop).integrity == Integrity::kOk ? 1 : 0;
-}
-
 // The last closure that an estimator gives on a tread is the tread's.
-void EstimateScorer::watch_closure(const ClosedLoop & loop)
+void EstimateScorer::watch_closure(const Moment & now)
 {
-  const int step = estimate(loop).step.value_or(0);
+  const int step = now.estimate.step.value_or(0);
   if (step != closing_step_) {
     end_closure();
     closing_step_ = step;
   }
-  closure_m_ = estimate(loop).contact_closure_m;
+  closure_m_ = now.estimate.contact_closure_m;
 }
 
 void EstimateScorer::end_closure()
@@ -205,76 +153,72 @@ void EstimateScorer::end_closure()
   closure_m_.reset();
 }
 
-void EstimateScorer::watch_fault(const ClosedLoop & loop)
+void EstimateScorer::score(const Moment & now)
 {
-  if (!onset_ || loop.elapsed_s() < onset_->at_s || score_.detection->detected) {
-    return;
-  }
-  Detection & detection = *score_.detection;
-  detection.struck = true;
-  if (estimate(loop).integrity != Integrity::kOk) {
-    detection.detected = true;
-    return;
-  }
-  const GroundTruth truth = loop.truth();
-  const bool along = std::abs(truth.x_m - last_truth_.x_m) > kMoved_m;
-  const bool across = std::abs(truth.y_m - last_truth_.y_m) > kMoved_m;
-  const bool turning = std::abs(truth.yaw_rad - last_truth_.yaw_rad) > kTurned_rad;
-  detection.time_s += kTick_s;
-  detection.motion_s += along || across || turning ? kTick_s : 0.0;
-  detection.telling_motion_s += tells(onset_->telling, along, across, turning) ? kTick_s : 0.0;
-}
-
-void EstimateScorer::score(const ClosedLoop & loop)
-{
-  const stetro_localizer::StairEstimate & now = estimate(loop);
-  const auto truth = loop.truths().at(now.stamp);
-  const bool counts = truth && truth->step > 0 && works(loop.climb().state());
-  score_.out_of_truth += truth ? 0 : 1;
-  if (!counts) {
+  score_.out_of_truth += now.truth_at_stamp ? 0 : 1;
+  if (!now.truth_at_stamp) {
     last_.reset();
     return;
   }
-  ScoredEstimate sample;
-  sample.step = truth->step;
-  sample.first_tread = first_tread_;
-  sample.after_onset = onset_ && loop.elapsed_s() >= onset_->at_s;
-  sample.confirming = confirming_;
-  sample.integrity = now.integrity;
-  sample.errors = errors_of(now, *truth, flight_);
-  sample.nees = nees_of(sample.errors, now.covariance);
-  sample.protection = protection_of(now);
-  sample.sigma_x_m = std::sqrt(now.covariance(0, 0));
-  sample.sigma_y_m = std::sqrt(now.covariance(1, 1));
-  sample.sigma_heading_rad = std::sqrt(now.covariance(5, 5));
-  watch_exceedance(sample, now.stamp);
+  if (now.truth_at_stamp->step <= 0) {
+    last_.reset();
+    exceeds_since_.reset();
+    return;
+  }
+  const ScoredEstimate sample = scored(now);
+  watch_exceedance(sample, now.estimate.stamp);
+  if (!works(now.state)) {
+    last_.reset();
+    return;
+  }
   if (!complete(sample.errors)) {
     ++score_.without_value;
     last_.reset();
     return;
   }
-  watch_hand_over(loop, sample, now.step);
+  watch_hand_over(now, sample);
   score_.samples.push_back(sample);
 }
 
-// A change of tread is no hand-over: both the estimate and its origin move there.
-void EstimateScorer::watch_hand_over(
-  const ClosedLoop & loop, const ScoredEstimate & sample, std::optional<int> step)
+ScoredEstimate EstimateScorer::scored(const Moment & now) const
 {
-  const std::uint32_t in_use = sensors_in_use(loop.estimator(estimator_));
+  const stetro_localizer::StairEstimate & estimate = now.estimate;
+  ScoredEstimate sample;
+  sample.step = now.truth_at_stamp->step;
+  sample.first_tread = steps_.first_tread();
+  sample.after_onset = onset_ && now.elapsed_s >= onset_->at_s;
+  sample.confirming = confirming_;
+  sample.integrity = estimate.integrity;
+  sample.errors = errors_of(estimate, *now.truth_at_stamp, flight_);
+  sample.nees = nees_of(sample.errors, estimate.covariance);
+  sample.protection = protection_of(estimate);
+  sample.sigma_x_m = std::sqrt(estimate.covariance(0, 0));
+  sample.sigma_y_m = std::sqrt(estimate.covariance(1, 1));
+  sample.sigma_heading_rad = std::sqrt(estimate.covariance(5, 5));
+  return sample;
+}
+
+// A change of tread is no hand-over: both the estimate and its origin move there.
+void EstimateScorer::watch_hand_over(const Moment & now, const ScoredEstimate & sample)
+{
+  const auto step = now.estimate.step;
   const bool same_tread = last_ && last_->step == sample.step && last_estimated_step_ == step;
-  if (same_tread && !sample.first_tread && in_use != last_in_use_) {
+  if (same_tread && !sample.first_tread && now.in_sight != last_in_sight_) {
     score_.hand_overs.push_back(
       {sample.errors.x_m - last_->errors.x_m, sample.errors.y_m - last_->errors.y_m});
   }
   last_ = sample;
   last_estimated_step_ = step;
-  last_in_use_ = in_use;
+  last_in_sight_ = now.in_sight;
 }
 
+// An estimate that waits for its touch-down to be counted neither begins nor ends one.
 void EstimateScorer::watch_exceedance(const ScoredEstimate & sample, Time stamp)
 {
-  if (sample.integrity != Integrity::kOk || sample.confirming || !exceeds(sample)) {
+  if (sample.confirming) {
+    return;
+  }
+  if (sample.integrity != Integrity::kOk || !exceeds(sample)) {
     exceeds_since_.reset();
     return;
   }

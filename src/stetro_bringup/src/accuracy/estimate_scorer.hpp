@@ -15,13 +15,14 @@
 #ifndef ACCURACY__ESTIMATE_SCORER_HPP_
 #define ACCURACY__ESTIMATE_SCORER_HPP_
 
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 
 #include "accuracy/climb_score.hpp"
-#include "accuracy/closed_loop.hpp"
 #include "accuracy/fault_onset.hpp"
+#include "accuracy/fault_watch.hpp"
+#include "accuracy/moment.hpp"
+#include "accuracy/step_watch.hpp"
 
 namespace stetro_bringup
 {
@@ -30,7 +31,8 @@ namespace stetro_bringup
 /**
  * An estimate counts when it is new and the robot works on the stairs: it sweeps, or climbs, or its
  * blocks follow. It meets the truth of its own stamp. Integrity is counted each tick from the
- * climb's acceptance on, standing and waiting included.
+ * climb's acceptance on, standing and waiting included, and so is an error beyond its protection
+ * level: who waits with a wrong pose and calls it OK is as wrong as who works with it.
  *
  * The step changes when block 2 comes down, and an estimator counts it only when the touch-down is
  * confirmed. Until then, for half a second at most, the two speak of two treads: those estimates are
@@ -39,44 +41,37 @@ namespace stetro_bringup
 class EstimateScorer
 {
 public:
-  /// \param estimator its number in the loop
-  EstimateScorer(
-    std::size_t estimator, const stetro_site::Flight & flight,
-    const std::optional<FaultOnset> & onset);
+  /// \param flight the site file's; outlives the scorer
+  /// \param onset of the fault to be noticed, if one is injected
+  EstimateScorer(const stetro_site::Flight & flight, const std::optional<FaultOnset> & onset);
 
   /// Looks at the loop after each tick.
-  void watch(const ClosedLoop & loop);
+  void watch(const Moment & now);
 
   /// Everything seen. Call it once, at the end.
   [[nodiscard]] ClimbScore take();
 
 private:
-  void watch_integrity(const ClosedLoop & loop);
-  void watch_confirmation(const ClosedLoop & loop);
-  void watch_steps(const ClosedLoop & loop);
-  void watch_closure(const ClosedLoop & loop);
-  void watch_fault(const ClosedLoop & loop);
-  void score(const ClosedLoop & loop);
-  void watch_hand_over(
-    const ClosedLoop & loop, const ScoredEstimate & sample, std::optional<int> step);
+  void watch_integrity(const Moment & now);
+  void watch_confirmation(const Moment & now);
+  void watch_closure(const Moment & now);
+  void score(const Moment & now);
+  [[nodiscard]] ScoredEstimate scored(const Moment & now) const;
+  void watch_hand_over(const Moment & now, const ScoredEstimate & sample);
   void watch_exceedance(const ScoredEstimate & sample, stetro_driver::Time stamp);
   void end_closure();
   void end_tread();
-  [[nodiscard]] const stetro_localizer::StairEstimate & estimate(const ClosedLoop & loop) const
-  {
-    return loop.estimator(estimator_).estimate();
-  }
 
-  std::size_t estimator_;
   const stetro_site::Flight & flight_;
   std::optional<FaultOnset> onset_;
+  std::optional<FaultWatch> fault_;
+  StepWatch steps_;
   ClimbScore score_;
-  stetro_supervisor::State state_ = stetro_supervisor::State::kIdle;
-  bool first_tread_ = true;
+  bool was_ok_ = false;  ///< a tick ago
 
   std::optional<ScoredEstimate> last_;  ///< of the estimate before, if it counted
   std::optional<int> last_estimated_step_;
-  std::uint32_t last_in_use_ = 0;  ///< a bit for each side and front sensor
+  std::uint32_t last_in_sight_ = 0;
 
   int tread_ = -1;  ///< the tread of the next two
   bool alarmed_ = false;
@@ -88,7 +83,7 @@ private:
   std::optional<double> closure_m_;
 
   std::optional<stetro_driver::Time> exceeds_since_;
-  stetro_driver::GroundTruth last_truth_{};
+  int last_step_ = 0;  ///< true, a tick ago
 };
 
 }  // namespace stetro_bringup

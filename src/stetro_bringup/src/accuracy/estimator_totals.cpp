@@ -100,7 +100,9 @@ void EstimatorTotals::add(const ClimbScore & score)
   longest_confirmation_s = std::max(longest_confirmation_s, score.longest_confirmation_s);
   longest_exceedance_s = std::max(longest_exceedance_s, score.longest_exceedance_s);
   exceeded_climbs += score.longest_exceedance_s > kToleratedExceedance_s ? 1 : 0;
-  if (score.detection && score.detection->struck) {
+  if (score.detection && score.detection->never_ok) {
+    ++never_ok;
+  } else if (score.detection && score.detection->struck) {
     detections.push_back(*score.detection);
   }
 }
@@ -116,9 +118,13 @@ void EstimatorTotals::add_counts(const ClimbScore & score)
   counts.resets += score.resets;
   counts.without_value += score.without_value;
   counts.out_of_truth += score.out_of_truth;
-  counts.step_checks += score.step_checks;
-  counts.wrong_steps += score.wrong_steps;
-  counts.undetected_steps += score.undetected_steps;
+  counts.alarms += score.alarms;
+  counts.steps.checks += score.steps.checks;
+  counts.steps.wrong += score.steps.wrong;
+  counts.steps.undetected += score.steps.undetected;
+  counts.steps.on_stairs += score.steps.on_stairs;
+  auto & miscounts = counts.steps.miscounts;
+  miscounts.insert(miscounts.end(), score.steps.miscounts.begin(), score.steps.miscounts.end());
 }
 
 void EstimatorTotals::add(const ScoredEstimate & sample)

@@ -103,7 +103,8 @@ public:
   double longest_exceedance_s = 0.0;
   std::uint64_t exceeded_climbs = 0;  ///< with an exceedance of more than a second
   ClimbScore counts;  ///< the sums of the counters of all climbs; nothing else of it is used
-  std::vector<Detection> detections;  ///< of the climbs in which a fault struck
+  std::vector<Detection> detections;  ///< of the faults that struck and could be noticed
+  std::uint64_t never_ok = 0;         ///< faults that struck an estimate not OK to the end
 
 private:
   void add(const ScoredEstimate & sample);

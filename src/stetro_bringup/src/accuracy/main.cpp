@@ -23,6 +23,7 @@
 #include <thread>
 #include <vector>
 
+#include "accuracy/accuracy_markdown.hpp"
 #include "accuracy/accuracy_report.hpp"
 #include "accuracy/campaign.hpp"
 #include "accuracy/fault_scenario.hpp"
@@ -124,6 +125,7 @@ void draw(const AccuracyOptions & options, const AccuracyReport & report)
 
 int run(AccuracyOptions options)
 {
+  const Provenance provenance{command_of(options), options.commit, this_machine()};
   if (options.site.empty()) {
     options.site = shipped_file("site/papers_staircase.yaml");
   }
@@ -134,6 +136,10 @@ int run(AccuracyOptions options)
   const RobotSetup setup = read_robot_setup(options.site, options.robot, options.flight);
   const auto orders = orders_of(options, scenarios, setup.flight().steps());
   std::filesystem::create_directories(options.out);
+  std::ofstream markdown;
+  if (!options.markdown.empty()) {
+    markdown = opened(options.markdown);  // before the long work: a folder may be missing
+  }
 
   AccuracyReport report = empty_report(options, scenarios, setup);
   CampaignProgress progress(std::cout, isatty(STDOUT_FILENO) == 1, orders.size());
@@ -147,6 +153,9 @@ int run(AccuracyOptions options)
     });
   progress.close();
   opened(options.out + "/summary.json") << summary_json(report);
+  if (markdown.is_open()) {
+    markdown << summary_markdown(report, provenance);
+  }
   std::cout << '\n' << summary_table(report);
   draw(options, report);
   std::cout << "\nresults in " << options.out << std::endl;

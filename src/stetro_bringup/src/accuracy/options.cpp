@@ -55,6 +55,8 @@ void add_options(CLI::App & app, AccuracyOptions & options)
     ->check(CLI::Range(0, 256))
     ->capture_default_str();
   app.add_flag("--no-plots", options.no_plots, "draw nothing");
+  app.add_option("--markdown", options.markdown, "write the tables of a report into this file");
+  app.add_option("--commit", options.commit, "name of the source's version, for that file");
 }
 
 std::vector<std::string> estimators_of(const AccuracyOptions & options)
@@ -63,6 +65,26 @@ std::vector<std::string> estimators_of(const AccuracyOptions & options)
     return {"fused", "paper"};
   }
   return {options.estimator};
+}
+
+std::string command_of(const AccuracyOptions & options)
+{
+  std::string command = "scripts/accuracy --runs " + std::to_string(options.runs) +
+                        " --first-seed " + std::to_string(options.first_seed) + " --estimator " +
+                        options.estimator + " --world " + options.world + " --calibration " +
+                        options.calibration;
+  const auto add = [&](const std::string & name, const std::string & value) {
+    command += value.empty() ? "" : " --" + name + ' ' + value;
+  };
+  std::string faults;
+  for (const std::string & name : options.faults) {
+    faults += (faults.empty() ? "" : ",") + name;
+  }
+  add("faults", faults);
+  add("robot", options.robot);
+  add("site", options.site);
+  add("flight", options.flight);
+  return command;
 }
 
 }  // namespace stetro_bringup

@@ -29,7 +29,7 @@ struct AccuracyOptions
 {
   std::uint64_t runs = 50;              ///< climbs, of each scenario
   std::uint64_t first_seed = 1;         ///< the climbs' seeds rise from it by one
-  std::string estimator = "paper";      ///< a name, or "both"
+  std::string estimator = "fused";      ///< a name, or "both"
   std::string world = "as-built";       ///< what is there: as-built or site
   std::string calibration = "factory";  ///< of the range sensors: factory or none
   std::vector<std::string> faults;      ///< scenarios, or "all"; none: fault-free
@@ -39,6 +39,8 @@ struct AccuracyOptions
   std::string out = "out/accuracy";  ///< folder of the results
   unsigned jobs = 0;                 ///< threads; 0: as many as cores
   bool no_plots = false;
+  std::string markdown;  ///< file for the tables of a report; empty: none
+  std::string commit;    ///< of the source, for that file
 };
 
 /// Declares the options on the command line, read into `options`, which must outlive it.
@@ -46,6 +48,10 @@ void add_options(CLI::App & app, AccuracyOptions & options);
 
 /// The estimators by name; the first drives the robot, the others listen.
 [[nodiscard]] std::vector<std::string> estimators_of(const AccuracyOptions & options);
+
+/// The command line that gives the same figures again.
+/** Without what changes none of them: folders, threads, the picture. */
+[[nodiscard]] std::string command_of(const AccuracyOptions & options);
 
 }  // namespace stetro_bringup
 

@@ -15,6 +15,7 @@
 #include "accuracy/proportion.hpp"
 
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -23,12 +24,11 @@ namespace stetro_bringup
 namespace
 {
 
-/// The rate in [0, 1] at which a function that falls with the rate passes `level`.
+/// The rate up to `high` at which a function that falls with the rate passes `level`.
 template <class Falling>
-double where_it_falls_to(double level, const Falling & falling)
+double where_it_falls_to(double level, double high, const Falling & falling)
 {
   double low = 0.0;
-  double high = 1.0;
   for (int i = 0; i < 60; ++i) {
     const double middle = 0.5 * (low + high);
     (falling(middle) > level ? low : high) = middle;
@@ -36,11 +36,10 @@ double where_it_falls_to(double level, const Falling & falling)
   return 0.5 * (low + high);
 }
 
+double log_factorial(std::uint64_t m) { return std::lgamma(static_cast<double>(m) + 1.0); }
+
 double log_choose(std::uint64_t n, std::uint64_t k)
 {
-  const auto log_factorial = [](std::uint64_t m) {
-    return std::lgamma(static_cast<double>(m) + 1.0);
-  };
   return log_factorial(n) - log_factorial(k) - log_factorial(n - k);
 }
 
@@ -68,6 +67,43 @@ double binomial_at_most(std::uint64_t k, std::uint64_t n, double rate)
   return sum < 1.0 ? sum : 1.0;
 }
 
+double poisson_at_most(std::uint64_t k, double mean)
+{
+  if (mean <= 0.0) {
+    return 1.0;
+  }
+  double sum = 0.0;
+  for (std::uint64_t i = 0; i <= k; ++i) {
+    sum += std::exp(static_cast<double>(i) * std::log(mean) - mean - log_factorial(i));
+  }
+  return sum < 1.0 ? sum : 1.0;
+}
+
+Interval garwood(std::uint64_t k, std::uint64_t n, double confidence)
+{
+  if (!(confidence > 0.0 && confidence < 1.0)) {
+    throw std::invalid_argument(
+      "confidence is " + std::to_string(confidence) + ", accepted: between 0 and 1");
+  }
+  const double tail = (1.0 - confidence) / 2.0;
+  const auto count = static_cast<double>(k);
+  const auto steps = static_cast<double>(n);
+  // Beyond all means at which k or fewer are as likely as the smallest tail of use.
+  const double most = count + 20.0 * std::sqrt(count + 1.0) - std::log(tail);
+  Interval interval{0.0, std::numeric_limits<double>::infinity()};
+  if (n == 0) {
+    return interval;
+  }
+  if (k > 0) {
+    interval.low = where_it_falls_to(
+                     1.0 - tail, most, [&](double mean) { return poisson_at_most(k - 1, mean); }) /
+                   steps;
+  }
+  interval.high =
+    where_it_falls_to(tail, most, [&](double mean) { return poisson_at_most(k, mean); }) / steps;
+  return interval;
+}
+
 Interval clopper_pearson(std::uint64_t k, std::uint64_t n, double confidence)
 {
   if (k > n || !(confidence > 0.0 && confidence < 1.0)) {
@@ -81,12 +117,12 @@ Interval clopper_pearson(std::uint64_t k, std::uint64_t n, double confidence)
   const double tail = (1.0 - confidence) / 2.0;
   Interval interval;
   if (k > 0) {
-    interval.low =
-      where_it_falls_to(1.0 - tail, [&](double rate) { return binomial_at_most(k - 1, n, rate); });
+    interval.low = where_it_falls_to(
+      1.0 - tail, 1.0, [&](double rate) { return binomial_at_most(k - 1, n, rate); });
   }
   if (k < n) {
     interval.high =
-      where_it_falls_to(tail, [&](double rate) { return binomial_at_most(k, n, rate); });
+      where_it_falls_to(tail, 1.0, [&](double rate) { return binomial_at_most(k, n, rate); });
   }
   return interval;
 }

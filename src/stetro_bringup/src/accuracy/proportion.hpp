@@ -36,6 +36,17 @@ struct Interval
  */
 [[nodiscard]] Interval clopper_pearson(std::uint64_t k, std::uint64_t n, double confidence = 0.95);
 
+/// What k events in n steps say about their number a step: the exact interval of Garwood (1936).
+/**
+ * For what may happen more than once a step. With k = 0, high = -ln((1 - confidence) / 2) / n.
+ * Without a step nothing is known: high is infinite.
+ * \throws std::invalid_argument unless 0 < confidence < 1
+ */
+[[nodiscard]] Interval garwood(std::uint64_t k, std::uint64_t n, double confidence = 0.95);
+
+/// Probability that an event expected `mean` times happens k times or fewer.
+[[nodiscard]] double poisson_at_most(std::uint64_t k, double mean);
+
 /// Probability that n trials at `rate` bring k or fewer.
 [[nodiscard]] double binomial_at_most(std::uint64_t k, std::uint64_t n, double rate);
 

@@ -44,8 +44,10 @@ struct SimErrors
   double tof_gain_max = 0.05;
   double tof_white_std_m = 0.0021;
   double tof_white_std_per_m = 0.015;
-  double tof_slow_std_m = 0.0009;
-  double tof_slow_time_constant_s = 300.0;
+  double tof_slow_std_m = 0.0009;  ///< drift over minutes, as the housing warms
+  double tof_slow_time_constant_s = 600.0;
+  double tof_flicker_std_m = 0.0003;  ///< wandering within seconds; a recorded VL53L0X has it
+  double tof_flicker_time_constant_s = 6.0;
   double tof_limit_m = 1.2;  ///< 94 % of readings are valid here
   double tof_minimum_m = 0.03;
   double tof_half_cone_rad = 0.2181661565;  ///< 12.5 deg
@@ -101,6 +103,10 @@ void visit(SimErrors & p, Visitor && each)
   each(
     "tof_slow_time_constant_s", p.tof_slow_time_constant_s, Within{1.0, 3600.0},
     "time constant of the slow drift [s]");
+  each("tof_flicker_std_m", p.tof_flicker_std_m, Within{0.0, 0.01}, "wandering within seconds [m]");
+  each(
+    "tof_flicker_time_constant_s", p.tof_flicker_time_constant_s, Within{0.1, 60.0},
+    "time constant of that wandering [s]");
   each("tof_limit_m", p.tof_limit_m, Within{0.3, 2.0}, "94 % of readings are valid here [m]");
   each("tof_minimum_m", p.tof_minimum_m, Within{0.0, 0.1}, "nothing nearer can be measured [m]");
   each(

@@ -33,6 +33,7 @@ SimErrors no_errors()
   errors.tof_white_std_m = 0.0;
   errors.tof_white_std_per_m = 0.0;
   errors.tof_slow_std_m = 0.0;
+  errors.tof_flicker_std_m = 0.0;
   errors.tof_spurious_share = 0.0;
   errors.odometry_scale_std = 0.0;
   errors.speed_variation_std = 0.0;

@@ -18,6 +18,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <string>
 
 namespace stetro_driver::sim
 {
@@ -97,7 +98,9 @@ SimTof::SimTof(
   random_(seed, name),
   offset_m_(random_.normal(tof_offset_std_m(errors))),
   gain_(random_.normal_within(errors.tof_gain_std, errors.tof_gain_max)),
-  slow_(errors.tof_slow_std_m, errors.tof_slow_time_constant_s, random_)
+  slow_(errors.tof_slow_std_m, errors.tof_slow_time_constant_s, random_),
+  flicker_random_(seed, std::string(name) + "_flicker"),
+  flicker_(errors.tof_flicker_std_m, errors.tof_flicker_time_constant_s, flicker_random_)
 {
 }
 
@@ -139,14 +142,14 @@ RangeReading SimTof::measure(const SimBody & body, Time now, double cycle_s)
   RangeReading reading;
   reading.stamp = now;
   const Echo seen = echo(body);
-  const double slow_m = slow_.step(cycle_s, random_);
+  const double wander_m = slow_.step(cycle_s, random_) + flicker_.step(cycle_s, flicker_random_);
   double range_m = kInfinity;
   if (seen.any && finds(seen.equivalent_m)) {
     const double white_m =
       std::hypot(errors_.tof_white_std_m, errors_.tof_white_std_per_m * seen.distance_m);
     range_m = seen.distance_m < errors_.tof_minimum_m
                 ? random_.uniform(0.02, 0.04)
-                : seen.distance_m * (1.0 + gain_) + offset_m_ + slow_m + random_.normal(white_m);
+                : seen.distance_m * (1.0 + gain_) + offset_m_ + wander_m + random_.normal(white_m);
   } else if (random_.uniform() < errors_.tof_spurious_share) {
     range_m = spurious_m();
   }

@@ -38,9 +38,12 @@ struct Echo
 /// A simulated VL53L0X behind a driver that hands out bare millimetres.
 /**
  * effective distance: mean over the rays of the 25 degree cone, weighted by the energy they return;
- * reading = round to mm(effective (1 + gain) + offset + slow + white). Whether there is a reading
- * at all depends on the echo's strength. What the kernel interface cannot tell apart (a weak echo
- * that looks like a distance) is handed on as it comes.
+ * reading = round to mm(effective (1 + gain) + offset + slow + flicker + white). Whether there is a
+ * reading at all depends on the echo's strength. What the kernel interface cannot tell apart (a weak
+ * echo that looks like a distance) is handed on as it comes.
+ *
+ * Slow and flicker wander, over minutes and within seconds: averaging does not take them out, as
+ * in a recorded sensor. Derivation: docs/derivations/range_noise.md.
  */
 class SimTof
 {
@@ -63,6 +66,8 @@ public:
   {
     random_.archive(each);
     slow_.archive(each);
+    flicker_random_.archive(each);
+    flicker_.archive(each);
   }
 
 private:
@@ -76,6 +81,8 @@ private:
   double offset_m_;
   double gain_;
   Wander slow_;
+  RandomStream flicker_random_;  // its own: the other errors of a seed do not depend on it
+  Wander flicker_;
 };
 
 }  // namespace stetro_driver::sim

@@ -38,7 +38,7 @@ namespace stetro_driver
 {
 
 /// Of what World::archive() lists, and in which order. To be raised with every change of either.
-constexpr std::uint32_t kStateLayout = 3;
+constexpr std::uint32_t kStateLayout = 4;
 
 /// A number that differs when anything differs that two worlds must share to share a snapshot.
 [[nodiscard]] std::uint64_t identity_of(

@@ -78,7 +78,7 @@ struct LocalizerParams
 {
   std::string site_file;
   std::string robot_file;
-  std::string estimator = "paper";
+  std::string estimator = "fused";
   std::string flight;             ///< id of the flight; empty: the only one of the site
   std::string state_file;         ///< step and calibration are kept there; empty: nowhere
   std::int64_t initial_step = 0;  ///< without a state file; -1: unknown until told

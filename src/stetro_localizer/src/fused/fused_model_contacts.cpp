@@ -66,15 +66,18 @@ void FusedModel::take_bumpers(FusedCore & core, Side side, const ContactSample &
       continue;
     }
     closed_at[i] = sample.stamp;
-    const Expectation gap = expect_bumper(
-      core.filter.state(), side, robot_.block_x_m(static_cast<int>(i) + 1), robot_.block_length_m,
-      robot_.contact_width_m);
+    const auto gap = [&] {
+      return expect_bumper(
+        core.filter.state(), side, robot_.block_x_m(static_cast<int>(i) + 1), robot_.block_length_m,
+        robot_.contact_width_m);
+    };
     if (first) {
-      note_closure(core, left, gap.value());
+      note_closure(core, left, gap().value());
       first = false;
     }
+    take_suspected_slip(core, kStateY);
     use_contact(
-      core, left ? Source::kBumperLeft : Source::kBumperRight, gap, kStateY,
+      core, left ? Source::kBumperLeft : Source::kBumperRight, gap(), kStateY,
       squared(params_.fused.noise.bumper_m));
   }
 }
@@ -103,6 +106,7 @@ void FusedModel::take_riser_switch(FusedCore & core, Side side, const ContactSam
     return;
   }
   closed_at = sample.stamp;
+  take_suspected_slip(core, kStateX);
   const double tip_y_m = left ? robot_.switch_y_m : -robot_.switch_y_m;
   use_contact(
     core, Source::kRiserSwitches,
@@ -110,15 +114,15 @@ void FusedModel::take_riser_switch(FusedCore & core, Side side, const ContactSam
     squared(params_.fused.noise.riser_switch_m));
 }
 
-// A contact is the surest of all measurements. Where it surprises, the robot has slipped on its
-// way, unless the surprise is beyond what a slip can do: then it has touched something else.
+// A contact is the surest of all measurements. Where it surprises, the estimate was wrong, unless
+// the surprise is beyond what a slip can do: then the robot has touched something else.
 void FusedModel::use_contact(
   FusedCore & core, Source source, const Expectation & gap, int axis, double variance) const
 {
   const Innovation innovation = core.filter.innovation(gap, 0.0, variance);
   const double surprise_m2 = squared(innovation.value);
   if (innovation.nis() > gate_ && surprise_m2 < squared(params_.fused.contact_gate_m)) {
-    core.filter.inflate(axis, surprise_m2);
+    explain_surprise(core, axis, surprise_m2);
   }
   if (use(core, source, gap, 0.0, variance) == Outcome::kFused) {
     core.slips[axis].clear();  // it has been corrected

@@ -14,6 +14,7 @@
 
 // What a slip looks like in the ranges, and what no slip can be.
 
+#include <algorithm>
 #include <cmath>
 
 #include "stetro_localizer/fused/fused_model.hpp"
@@ -27,13 +28,16 @@ constexpr Nanoseconds kSlipGoesOn = std::chrono::milliseconds(200);
 constexpr Nanoseconds kNoSlipBehind = std::chrono::seconds(1);  // at a stand: it would be noticed
 constexpr double kMostlyNoise = 3.0;  // an innovation's variance in that of the reading
 
+constexpr double kExplained = 2.5;  // standard deviations of what both ranges have in common
+constexpr double kJust = 0.2;       // a range so young vouches for the estimate [s]
+
 constexpr RangerPair kSidePair{{
-  {Ranger::kSideLeft, Place::kSideLeft, Source::kSideLeft, 1.0},
-  {Ranger::kSideRight, Place::kSideRight, Source::kSideRight, 1.0},
+  {Ranger::kSideLeft, Place::kSideLeft, Source::kSideLeft, 1.0, -1.0},
+  {Ranger::kSideRight, Place::kSideRight, Source::kSideRight, 1.0, 1.0},
 }};
 constexpr RangerPair kFrontPair{{
-  {Ranger::kFrontLeft, Place::kFrontLeft, Source::kFrontLeft, 1.0},
-  {Ranger::kFrontRight, Place::kFrontRight, Source::kFrontRight, -1.0},
+  {Ranger::kFrontLeft, Place::kFrontLeft, Source::kFrontLeft, 1.0, -1.0},
+  {Ranger::kFrontRight, Place::kFrontRight, Source::kFrontRight, -1.0, -1.0},
 }};
 
 double squared(double value) { return value * value; }
@@ -63,6 +67,33 @@ void FusedModel::note_slip(
     filter.shift(axis, slip->shift_m, slip->variance_m2);
     core.slipping_until = core.time + kSlipGoesOn;
   }
+}
+
+// Before a contact, which is about to tell where the robot is, a false alarm costs little, while a
+// slip that is missed would be taken for an error of the ranges.
+void FusedModel::take_suspected_slip(FusedCore & core, int axis) const
+{
+  const auto slip = core.slips[axis].suspected();
+  if (slip) {
+    core.filter.shift(axis, slip->shift_m, slip->variance_m2);
+    core.slips[axis].clear();
+  }
+}
+
+// A range that has just agreed with the estimate would have told of a slip: it is as wrong as the
+// estimate is, by its calibration, as far as that can be. Where none has, the robot slipped unseen.
+void FusedModel::explain_surprise(FusedCore & core, int axis, double surprise_m2) const
+{
+  StateVector together = StateVector::Unit(axis);
+  const double of_offset =
+    std::min(1.0, params_.fused.priors.range_offset_m / std::sqrt(surprise_m2));
+  for (const PairedRanger & one : axis == kStateX ? kFrontPair : kSidePair) {
+    const Nanoseconds used_at = core.used_at[static_cast<std::size_t>(one.ranger)];
+    if (seconds(core.time - used_at) < kJust) {
+      together[offset_index(one.ranger)] = -one.outward * of_offset;
+    }
+  }
+  core.filter.inflate(together, surprise_m2);
 }
 
 // The sum of both side ranges knows nothing of y, the difference of the front pair nothing of x:
@@ -109,7 +140,12 @@ std::optional<Slip> FusedModel::watch_pair(
     noise += variance;
   }
   const double variance = core.filter.innovation(model, 0.0, noise).variance;
-  return variance < 2.0 * noise ? watch.add(e_m, variance, 1.0) : std::nullopt;
+  if (variance > 2.0 * noise) {
+    return std::nullopt;
+  }
+  // Noise differs from reading to reading, the doubt of the calibration is in all of them alike.
+  const double explained_m = kExplained * std::sqrt(variance - noise);
+  return watch.add(e_m - std::clamp(e_m, -explained_m, explained_m), variance, 1.0);
 }
 
 void FusedModel::doubt_heading(FusedCore & core, double difference_m) const

@@ -210,6 +210,25 @@ Corrects some_states(int i)
   }
 }
 
+// y is wrong by e, and an offset by -e / 2 with it: their sum with twice the offset is as before.
+TEST(ErrorStateFilter, InflatesStatesTogether)
+{
+  ErrorStateFilter filter;
+  filter.set(kStateY, 1.0, 1e-6);
+  const int offset = offset_index(Ranger::kSideRight);
+  filter.set(offset, 0.0, 4e-6);
+  StateVector together = StateVector::Unit(kStateY);
+  together[offset] = -0.5;
+  filter.inflate(together, 4e-4);
+  EXPECT_NEAR(filter.variance(kStateY), 4.01e-4, 1e-15);
+  EXPECT_NEAR(filter.variance(offset), 1.04e-4, 1e-15);
+  EXPECT_NEAR(filter.covariance()(kStateY, offset), -2e-4, 1e-15);
+  Expectation sum(1.0);
+  sum.depends_on(kStateY, 1.0);
+  sum.depends_on(offset, 2.0);
+  EXPECT_NEAR(filter.innovation(sum, 1.0, 0.0).variance, 1e-6 + 4.0 * 4e-6, 1e-15);
+}
+
 TEST(ErrorStateFilter, StaysSymmetricAndPositive)
 {
   std::mt19937 random(7);

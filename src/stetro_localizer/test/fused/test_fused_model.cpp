@@ -16,104 +16,15 @@
 
 #include <chrono>
 #include <cmath>
-#include <random>
 
-#include "stetro_localizer/fused/cone.hpp"
-#include "stetro_localizer/fused/fused_model.hpp"
-#include "support/stair_robot.hpp"
+#include "support/standing_robot.hpp"
 
 namespace stetro_localizer
 {
 namespace
 {
 
-constexpr double kWidth = 2.05;     // [m]
-constexpr double kMount = 0.05;     // of a side sensor off the middle [m]
-constexpr int kReadings = 600;      // twenty seconds
-constexpr double kSquareTo = 0.19;  // from base_link to the front pair [m]
-
-/// The model and a core that stands on tread 3, ready to sweep; time stands still.
-class Standing
-{
-public:
-  explicit Standing(unsigned seed = 1)
-  : model_(LocalizerParams{}, robot_, papers_flight()), random_(seed), core(model_.begin())
-  {
-    core.steps.tell(3);
-    for (int i = 0; i < 10; ++i) {
-      BlockSample blocks;
-      blocks.stamp = std::chrono::seconds(1000) + i * std::chrono::milliseconds(33);
-      blocks.blocks[0] = {0.14, 0.33, true, false, false};
-      blocks.blocks[1] = blocks.blocks[2] = {0.0, 0.33, true, false, false};
-      model_.take(core, blocks);
-    }
-    core.filter.set(kStateYaw, 0.0, 0.175 * 0.175);
-  }
-
-  void know(int index, double value, double sigma) { core.filter.set(index, value, sigma * sigma); }
-
-  /// A reading that the one before confirms. \return what became of it
-  Outcome read(Place place, double range_m)
-  {
-    core.last_ranges[place] = {core.time, range_m, 0.0, RangeStatus::kValid};
-    return read_once(place, range_m);
-  }
-
-  Outcome read_once(Place place, double range_m)
-  {
-    RangeSample sample;
-    sample.stamp = core.time;
-    sample[place] = {core.time, range_m, 0.0, RangeStatus::kValid};
-    model_.take(core, sample);
-    switch (place) {
-      case Place::kSideLeft:
-        return core.reports[Source::kSideLeft].outcome;
-      case Place::kSideRight:
-        return core.reports[Source::kSideRight].outcome;
-      case Place::kFrontRight:
-        return core.reports[Source::kFrontRight].outcome;
-      case Place::kBlock3Front:
-        return core.reports[Source::kBlock3Front].outcome;
-      default:
-        return core.reports[Source::kFrontLeft].outcome;
-    }
-  }
-
-  /// Readings of one array, with noise of 1 mm, each confirmed by the one before.
-  void read_pair(Place first, double first_m, Place second, double second_m)
-  {
-    RangeSample sample;
-    sample.stamp = core.time;
-    sample[first] = {core.time, first_m + 0.001 * normal_(random_), 0.0, RangeStatus::kValid};
-    sample[second] = {core.time, second_m + 0.001 * normal_(random_), 0.0, RangeStatus::kValid};
-    core.last_ranges[first] = sample[first];
-    core.last_ranges[second] = sample[second];
-    model_.take(core, sample);
-  }
-
-  /// A reading with noise, of a sensor square to a wall at that distance.
-  double noisy(double square_m, double offset_m = 0.0, double gain = 0.0)
-  {
-    const double range_m = (1.0 + gain) * stretch() * square_m + offset_m;
-    return range_m + robot_.range_sensor.sigma_at_m(range_m) * normal_(random_);
-  }
-
-  void take(const Sample & sample) { model_.take(core, sample); }
-  double random(double sigma) { return sigma * normal_(random_); }
-  [[nodiscard]] double stretch() const
-  {
-    return ConeOnWall(robot_.range_sensor.cone_rad).stretch(0.0);
-  }
-
-private:
-  stetro_site::RobotGeometry robot_;
-  FusedModel model_;
-  std::mt19937 random_;
-  std::normal_distribution<double> normal_;
-
-public:
-  FusedCore core;
-};
+constexpr int kReadings = 600;  // twenty seconds
 
 /// Same value, same variance, to the last bit.
 void expect_untouched(const ErrorStateFilter & now, const ErrorStateFilter & before, int index)
@@ -127,7 +38,7 @@ void expect_untouched(const ErrorStateFilter & now, const ErrorStateFilter & bef
 // 2.5 mm on the left. The mean of both is off by 21.9 mm, however often they are read.
 TEST(FusedModel, SideRangesCannotCalibrateThemselves)
 {
-  Standing robot;
+  StandingRobot robot;
   ASSERT_EQ(robot.core.located_on, 3);
   const ErrorStateFilter before = robot.core.filter;
   for (int i = 0; i < kReadings; ++i) {
@@ -150,7 +61,7 @@ TEST(FusedModel, StandingIsConsistent)
   constexpr unsigned kRobots = 400;
   double squares = 0.0;
   for (unsigned seed = 1; seed <= kRobots; ++seed) {
-    Standing robot(seed);
+    StandingRobot robot(seed);
     const double width_m = kWidth + robot.random(0.0025);
     const double y_m = width_m / 2.0 + robot.random(0.03);
     const double left_m = width_m - y_m - kMount;
@@ -169,7 +80,7 @@ TEST(FusedModel, StandingIsConsistent)
 
 TEST(FusedModel, SideRangesCalibrateWhereYIsKnown)
 {
-  Standing robot;
+  StandingRobot robot;
   robot.know(kStateY, 1.0, 0.005);
   const ErrorStateFilter before = robot.core.filter;
   ASSERT_EQ(robot.read(Place::kSideRight, robot.noisy(0.95)), Outcome::kFused);
@@ -182,7 +93,7 @@ TEST(FusedModel, SideRangesCalibrateWhereYIsKnown)
 TEST(FusedModel, SideRangesTurnOnlyAHeadingOfKnownSide)
 {
   for (const double yaw_rad : {0.1, 0.05, -0.05, -0.1}) {
-    Standing robot;
+    StandingRobot robot;
     robot.know(kStateYaw, yaw_rad, 0.02);
     const ErrorStateFilter before = robot.core.filter;
     ASSERT_EQ(robot.read(Place::kSideRight, robot.noisy(0.95)), Outcome::kFused);
@@ -198,7 +109,7 @@ TEST(FusedModel, SideRangesTurnOnlyAHeadingOfKnownSide)
 // At y = 0.3 m the left wall is 1.70 m away and the right one 0.25 m.
 TEST(FusedModel, WhatIsNearerThanAWallOutOfReachIsNotTheWall)
 {
-  Standing robot;
+  StandingRobot robot;
   robot.know(kStateY, 0.3, 0.005);
   const ErrorStateFilter before = robot.core.filter;
   for (int i = 0; i < 30; ++i) {
@@ -212,29 +123,22 @@ TEST(FusedModel, WhatIsNearerThanAWallOutOfReachIsNotTheWall)
 
 TEST(FusedModel, WhereYIsUnknownTheWallMayBeInReach)
 {
-  Standing robot;
+  StandingRobot robot;
   robot.know(kStateY, 0.3, 0.5);
   EXPECT_EQ(robot.read(Place::kSideLeft, 0.9), Outcome::kFused);
-}
-
-/// Puts it where the front pair is `square_m` before the riser that it sees.
-void put_before_riser(Standing & robot, double square_m, double sigma_m)
-{
-  robot.know(kStateY, 1.0, 0.005);
-  robot.know(kStateX, robot.core.filter[kStateTreadAhead] - kSquareTo - square_m, sigma_m);
 }
 
 // The beams strike a riser of 0.14 m at half its height; a cone of 25 deg fits in up to 0.07 m /
 // tan(12.5 deg) = 0.316 m. From 0.325 m, read as 0.329 m, a short reading of 0.310 m would fit.
 TEST(FusedModel, AShortReadingDoesNotClearACone)
 {
-  Standing sure;
+  StandingRobot sure;
   put_before_riser(sure, 0.325, 0.005);
   const ErrorStateFilter known = sure.core.filter;
   EXPECT_EQ(sure.read(Place::kFrontLeft, 0.310), Outcome::kNotVisible);
   EXPECT_EQ(sure.core.filter.state(), known.state());
 
-  Standing unsure;
+  StandingRobot unsure;
   put_before_riser(unsure, 0.325, 0.015);
   const ErrorStateFilter before = unsure.core.filter;
   EXPECT_EQ(unsure.read(Place::kFrontLeft, 0.310), Outcome::kFused);
@@ -248,7 +152,7 @@ TEST(FusedModel, AShortReadingDoesNotClearACone)
 
 TEST(FusedModel, ALongReadingDoesNotClearAConeEither)
 {
-  Standing robot;
+  StandingRobot robot;
   put_before_riser(robot, 0.29, 0.015);
   const ErrorStateFilter before = robot.core.filter;
   EXPECT_EQ(robot.read(Place::kFrontLeft, 0.320), Outcome::kFused);
@@ -257,7 +161,7 @@ TEST(FusedModel, ALongReadingDoesNotClearAConeEither)
 
 TEST(FusedModel, AClearConeTellsOfTheHeading)
 {
-  Standing robot;
+  StandingRobot robot;
   put_before_riser(robot, 0.29, 0.005);
   const ErrorStateFilter before = robot.core.filter;
   EXPECT_EQ(robot.read(Place::kFrontLeft, robot.noisy(0.29)), Outcome::kFused);
@@ -270,7 +174,7 @@ TEST(FusedModel, AClearConeTellsOfTheHeading)
 // are read.
 TEST(FusedModel, AFrontPairTellsTheHeadingAsWellAsItIsCalibrated)
 {
-  Standing robot;
+  StandingRobot robot;
   put_before_riser(robot, 0.29, 0.1);
   const ErrorStateFilter before = robot.core.filter;
   for (int i = 0; i < kReadings; ++i) {
@@ -287,7 +191,7 @@ TEST(FusedModel, AFrontPairTellsTheHeadingAsWellAsItIsCalibrated)
 
 TEST(FusedModel, AFrontRangeIsCalibratedWhereXAndHeadingAreKnown)
 {
-  Standing robot;
+  StandingRobot robot;
   put_before_riser(robot, 0.1, 0.0005);
   robot.know(kStateYaw, 0.0, 0.003);
   for (int i = 0; i < kReadings; ++i) {
@@ -298,7 +202,7 @@ TEST(FusedModel, AFrontRangeIsCalibratedWhereXAndHeadingAreKnown)
 
 TEST(FusedModel, AReadingCountsOnceTheNextConfirmsIt)
 {
-  Standing robot;
+  StandingRobot robot;
   robot.know(kStateY, 1.0, 0.2);
   EXPECT_EQ(robot.read_once(Place::kSideLeft, 0.9), Outcome::kNotVisible) << "the first";
   EXPECT_EQ(robot.read_once(Place::kSideLeft, 1.1), Outcome::kNotVisible) << "another";
@@ -306,7 +210,7 @@ TEST(FusedModel, AReadingCountsOnceTheNextConfirmsIt)
 }
 
 /// Block 2 lifted 0.18 m above tread 3, block 1 on tread 4.
-void lift_block2(Standing & robot)
+void lift_block2(StandingRobot & robot)
 {
   for (int i = 1; i < 10; ++i) {
     BlockSample blocks;
@@ -321,7 +225,7 @@ void lift_block2(Standing & robot)
 // The beam starts 0.11 m behind base_link, 0.07 m above tread 3: half the riser.
 TEST(FusedModel, Block3SeesTheRiserBelowALiftedBlock2)
 {
-  Standing robot;
+  StandingRobot robot;
   robot.know(kStateX, -0.1, 0.02);
   robot.know(kStateYaw, 0.0, 0.003);
   EXPECT_EQ(robot.read(Place::kBlock3Front, 0.035), Outcome::kNotVisible) << "block 2's back";
@@ -332,100 +236,6 @@ TEST(FusedModel, Block3SeesTheRiserBelowALiftedBlock2)
   EXPECT_NEAR(robot.core.reports[Source::kBlock3Front].innovation, 0.0, 1e-9);
   EXPECT_NEAR(robot.core.filter[kStateX], x_m, 1e-9);
   EXPECT_LT(std::sqrt(robot.core.filter.variance(kStateX)), 0.012);
-}
-
-/// Knows all but where a slip will take it: the right sensor is 0.25 m from its wall.
-void calibrate(Standing & robot)
-{
-  robot.core.rolled_at = robot.core.time;
-  robot.know(kStateY, 0.3, 0.001);
-  robot.know(kStateYaw, 0.0, 0.002);
-  robot.know(offset_index(Ranger::kSideRight), 0.0, 0.0005);
-  robot.know(gain_index(Ranger::kSideRight), 0.0, 0.002);
-}
-
-/// In the middle, all known as after a contact with both walls and a riser.
-void know_all(Standing & robot)
-{
-  robot.know(kStateY, kWidth / 2.0, 0.002);
-  robot.know(kStateWidth, kWidth, 0.001);
-  robot.know(kStateYaw, 0.0, 0.002);
-  for (int i = 0; i < static_cast<int>(kRangerCount); ++i) {
-    robot.know(offset_index(static_cast<Ranger>(i)), 0.0, 0.001);
-    robot.know(gain_index(static_cast<Ranger>(i)), 0.0, 0.002);
-  }
-}
-
-// The left sensor has jumped by 50 mm: the sum is too long by it, whatever y is.
-TEST(FusedModel, DoubtsYWhereBothSidesDoNotAddUp)
-{
-  Standing robot;
-  know_all(robot);
-  const double range_m = robot.stretch() * (kWidth / 2.0 - kMount);
-  for (int i = 0; i < 60; ++i) {
-    robot.read_pair(Place::kSideLeft, range_m, Place::kSideRight, range_m);
-  }
-  EXPECT_FALSE(robot.core.doubted[1]);
-  for (int i = 0; i < 30 && !robot.core.doubted[1]; ++i) {
-    robot.read_pair(Place::kSideLeft, range_m + 0.05, Place::kSideRight, range_m);
-  }
-  EXPECT_TRUE(robot.core.doubted[1]) << "within a second";
-  EXPECT_GT(robot.core.filter.variance(offset_index(Ranger::kSideLeft)), 0.02 * 0.02);
-}
-
-// At a stand no wall moves by 30 mm.
-TEST(FusedModel, DoubtsYWhereARangeJumpsAtAStand)
-{
-  Standing robot;
-  know_all(robot);
-  robot.know(kStateY, 0.3, 0.002);
-  const double range_m = robot.stretch() * 0.25;
-  for (int i = 0; i < 30 && !robot.core.doubted[1]; ++i) {
-    robot.read(Place::kSideRight, range_m + 0.03);
-  }
-  EXPECT_TRUE(robot.core.doubted[1]);
-  EXPECT_GT(robot.core.filter.variance(kStateY), 0.01 * 0.01);
-}
-
-// One front range has grown by 20 mm, or the gyroscope has turned the heading by 0.1 rad unseen.
-TEST(FusedModel, DoubtsTheHeadingWhereTheFrontPairTurnsAlone)
-{
-  Standing robot;
-  know_all(robot);
-  put_before_riser(robot, 0.15, 0.002);
-  const double range_m = robot.stretch() * 0.15;
-  for (int i = 0; i < 60; ++i) {
-    robot.read_pair(Place::kFrontLeft, range_m, Place::kFrontRight, range_m);
-  }
-  EXPECT_FALSE(robot.core.doubted[2]);
-  for (int i = 0; i < 30 && !robot.core.doubted[2]; ++i) {
-    robot.read_pair(Place::kFrontLeft, range_m + 0.02, Place::kFrontRight, range_m);
-  }
-  EXPECT_TRUE(robot.core.doubted[2]);
-  EXPECT_GT(robot.core.filter.variance(kStateYaw), 0.02 * 0.02);
-}
-
-// One reading knows 4.3 mm: with 1 mm of doubt in y the filter by itself would follow in some 20.
-TEST(FusedModel, FollowsASlip)
-{
-  constexpr unsigned kRobots = 200;
-  for (const double slip_m : {0.012, -0.012}) {
-    int found = 0;
-    double sum_m = 0.0;
-    for (unsigned seed = 1; seed <= kRobots; ++seed) {
-      Standing robot(seed);
-      calibrate(robot);
-      for (int i = 0; i < 15 && robot.core.slipping_until < robot.core.time; ++i) {
-        robot.read(Place::kSideRight, robot.noisy(0.25 + slip_m));
-      }
-      if (robot.core.slipping_until > robot.core.time) {
-        sum_m += robot.core.filter[kStateY] - (0.3 + slip_m);
-        ++found;
-      }
-    }
-    EXPECT_GT(found, 0.9 * kRobots);
-    EXPECT_NEAR(sum_m / found, 0.0, 0.002);
-  }
 }
 
 }  // namespace

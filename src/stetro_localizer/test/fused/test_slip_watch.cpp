@@ -55,6 +55,22 @@ TEST(SlipWatch, FindsAUsualSlipInThree)
   EXPECT_NEAR(slip->variance_m2, 1e-6 * 3600.0 / 457.0, 1e-15);
 }
 
+// One innovation of 12 adds 2.88, less than 0.4 * 8.11 = 3.24, two are more. In mm, of two:
+// var(d) = 1 / (2 / 25 + 1 / 144) = 3600 / 313, d = 2 * 12 / 25 * var(d) = 3456 / 313.
+TEST(SlipWatch, SuspectsASlipBeforeItAlarms)
+{
+  SlipWatch watch(kSlip, kFalseAlarm);
+  EXPECT_FALSE(watch.suspected());
+  EXPECT_FALSE(watch.add(0.012, kVariance, 1.0));
+  EXPECT_FALSE(watch.suspected());
+  EXPECT_FALSE(watch.add(0.012, kVariance, 1.0));
+  const auto slip = watch.suspected();
+  ASSERT_TRUE(slip);
+  EXPECT_NEAR(slip->shift_m, 1e-3 * 3456.0 / 313.0, 1e-12);
+  EXPECT_NEAR(slip->variance_m2, 1e-6 * 3600.0 / 313.0, 1e-15);
+  EXPECT_TRUE(watch.add(0.012, kVariance, 1.0)) << "asking has changed nothing";
+}
+
 // A sensor of 12 mm adds 72 / 144 = 0.5 each time: 8.11 is passed by the seventeenth.
 TEST(SlipWatch, AFarRangeCountsForLess)
 {

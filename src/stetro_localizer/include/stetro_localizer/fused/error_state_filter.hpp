@@ -25,14 +25,14 @@ namespace stetro_localizer
 /// How fast each state wanders: square roots of spectral densities.
 struct ProcessNoise
 {
-  double acceleration = 0.3;   ///< what the speed may have changed by from sample to sample [m/s]
-  double turn = 2e-4;          ///< of the gyroscope's reading [rad/s/sqrt(Hz)]
-  double gyro_bias = 2e-6;     ///< [rad/s/sqrt(s)]
-  double odom_scale = 1e-5;    ///< [1/sqrt(s)]
-  double range_offset = 7e-5;  ///< slow drift of a range sensor [m/sqrt(s)]
-  double range_gain = 1e-5;    ///< [1/sqrt(s)]
-  double creep = 1e-4;         ///< position while the wheels stand [m/sqrt(s)]
-  double slip = 3e-3;          ///< position along the motion while they turn [m/sqrt(s)]
+  double acceleration = 0.3;     ///< what the speed may have changed by from sample to sample [m/s]
+  double turn = 2e-4;            ///< of the gyroscope's reading [rad/s/sqrt(Hz)]
+  double gyro_bias = 2e-6;       ///< [rad/s/sqrt(s)]
+  double odom_scale = 1e-5;      ///< [1/sqrt(s)]
+  double range_offset = 1.2e-4;  ///< slow drift of a range sensor [m/sqrt(s)]
+  double range_gain = 1e-5;      ///< [1/sqrt(s)]
+  double creep = 1e-4;           ///< position while the wheels stand [m/sqrt(s)]
+  double slip = 3e-3;            ///< position along the motion while they turn [m/sqrt(s)]
 };
 
 /// Innovation of one scalar measurement, before it is used.
@@ -92,6 +92,12 @@ public:
 
   /// Adds independent noise to one state.
   void inflate(int index, double variance) { P_(index, index) += variance; }
+
+  /// Adds noise that moves all states together, by so much in standard deviations of one.
+  void inflate(const StateVector & along, double variance)
+  {
+    P_.noalias() += variance * along * along.transpose();
+  }
 
   /// Moves one state by what is known with `variance`, independently of all the others.
   void shift(int index, double by, double variance)

@@ -34,7 +34,8 @@ struct PairedRanger
   Ranger ranger;
   Place place;
   Source source;
-  double sign;  ///< its innovation adds or subtracts
+  double sign;     ///< its innovation adds or subtracts
+  double outward;  ///< d(range)/d(x) or d(range)/d(y) of a square robot
 };
 using RangerPair = std::array<PairedRanger, 2>;
 
@@ -89,6 +90,8 @@ private:
   void note_slip(
     FusedCore & core, int axis, double innovation_m, const SourceReport & report,
     double variance_before) const;
+  void take_suspected_slip(FusedCore & core, int axis) const;
+  void explain_surprise(FusedCore & core, int axis, double surprise_m2) const;
   void doubt(FusedCore & core, int axis, double shift_m) const;
   void doubt_heading(FusedCore & core, double difference_m) const;
   void doubt_pair(FusedCore & core, const RangerPair & pair, double shift_m) const;

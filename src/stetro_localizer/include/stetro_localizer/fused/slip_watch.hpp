@@ -72,16 +72,15 @@ public:
         *sum = {};
       }
     }
-    const Sum & likelier = forwards_.likelihood > backwards_.likelihood ? forwards_ : backwards_;
-    if (likelier.likelihood <= limit_) {
-      return std::nullopt;
+    const auto slip = beyond(limit_);
+    if (slip) {
+      clear();
     }
-    const double variance = 1.0 / (likelier.weight + 1.0 / (slip_m_ * slip_m_));
-    const Slip slip{
-      likelier.left * likelier.weighted_m * variance, likelier.left * likelier.left * variance};
-    clear();
     return slip;
   }
+
+  /// The slip that is likelier than none, though by less than an alarm takes.
+  [[nodiscard]] std::optional<Slip> suspected() const { return beyond(kSuspicion * limit_); }
 
   void clear() { forwards_ = backwards_ = {}; }
 
@@ -89,6 +88,7 @@ private:
   static constexpr double kMostOfOne = 3.5;  // standard deviations
   static constexpr double kLeast = 2.5;      // innovations that an alarm takes
   static constexpr double kPast = 0.2;       // share of a slip that is left
+  static constexpr double kSuspicion = 0.4;  // share of the limit
 
   struct Sum
   {
@@ -97,6 +97,17 @@ private:
     double weighted_m = 0.0;  // [1/m]
     double left = 1.0;        // a
   };
+
+  [[nodiscard]] std::optional<Slip> beyond(double limit) const
+  {
+    const Sum & likelier = forwards_.likelihood > backwards_.likelihood ? forwards_ : backwards_;
+    if (likelier.likelihood <= limit) {
+      return std::nullopt;
+    }
+    const double variance = 1.0 / (likelier.weight + 1.0 / (slip_m_ * slip_m_));
+    return Slip{
+      likelier.left * likelier.weighted_m * variance, likelier.left * likelier.left * variance};
+  }
 
   double slip_m_;
   double limit_;

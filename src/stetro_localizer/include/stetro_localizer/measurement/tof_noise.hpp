@@ -31,8 +31,9 @@ struct TofSystematics
 /// How a time-of-flight reading errs.
 /**
  * White noise of sqrt(white^2 + (white_per_m d)^2) shrinks with averaging. Slow drift does not: on
- * a recorded VL53L0X the mean of many readings does not settle below about 1 mm. The gain error
- * grows with the distance from where the offset was calibrated.
+ * a recorded VL53L0X the mean of many readings does not settle below about 1 mm
+ * (docs/derivations/range_noise.md). The gain error grows with the distance from where the offset
+ * was calibrated.
  */
 struct TofNoise
 {

@@ -1,0 +1,205 @@
+// Copyright 2026 The sTetro Authors
+//
+// Licensed under the Apache License, Version 2.0 (the "License");
+// you may not use this file except in compliance with the License.
+// You may obtain a copy of the License at
+//
+//     http://www.apache.org/licenses/LICENSE-2.0
+//
+// Unless required by applicable law or agreed to in writing, software
+// distributed under the License is distributed on an "AS IS" BASIS,
+// WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+// See the License for the specific language governing permissions and
+// limitations under the License.
+
+#include <gtest/gtest.h>
+
+#include "support/standing_robot.hpp"
+
+namespace stetro_localizer
+{
+namespace
+{
+
+constexpr double kAtWall = 0.115;  // y when the right bumper touches, half of 23 cm [m]
+
+/// Knows all but where a slip will take it: the right sensor is 0.25 m from its wall.
+void calibrate(StandingRobot & robot)
+{
+  robot.core.rolled_at = robot.core.time;
+  robot.know(kStateY, 0.3, 0.001);
+  robot.know(kStateYaw, 0.0, 0.002);
+  robot.know(offset_index(Ranger::kSideRight), 0.0, 0.0005);
+  robot.know(gain_index(Ranger::kSideRight), 0.0, 0.002);
+}
+
+/// In the middle, all known as after a contact with both walls and a riser.
+void know_all(StandingRobot & robot)
+{
+  robot.know(kStateY, kWidth / 2.0, 0.002);
+  robot.know(kStateWidth, kWidth, 0.001);
+  robot.know(kStateYaw, 0.0, 0.002);
+  for (int i = 0; i < static_cast<int>(kRangerCount); ++i) {
+    robot.know(offset_index(static_cast<Ranger>(i)), 0.0, 0.001);
+    robot.know(gain_index(static_cast<Ranger>(i)), 0.0, 0.002);
+  }
+}
+
+// The left sensor has jumped by 50 mm: the sum is too long by it, whatever y is.
+TEST(FusedModelWatch, DoubtsYWhereBothSidesDoNotAddUp)
+{
+  StandingRobot robot;
+  know_all(robot);
+  const double range_m = robot.stretch() * (kWidth / 2.0 - kMount);
+  for (int i = 0; i < 60; ++i) {
+    robot.read_pair(Place::kSideLeft, range_m, Place::kSideRight, range_m);
+  }
+  EXPECT_FALSE(robot.core.doubted[1]);
+  for (int i = 0; i < 30 && !robot.core.doubted[1]; ++i) {
+    robot.read_pair(Place::kSideLeft, range_m + 0.05, Place::kSideRight, range_m);
+  }
+  EXPECT_TRUE(robot.core.doubted[1]) << "within a second";
+  EXPECT_GT(robot.core.filter.variance(offset_index(Ranger::kSideLeft)), 0.02 * 0.02);
+}
+
+// At a stand no wall moves by 30 mm.
+TEST(FusedModelWatch, DoubtsYWhereARangeJumpsAtAStand)
+{
+  StandingRobot robot;
+  know_all(robot);
+  robot.know(kStateY, 0.3, 0.002);
+  const double range_m = robot.stretch() * 0.25;
+  for (int i = 0; i < 30 && !robot.core.doubted[1]; ++i) {
+    robot.read(Place::kSideRight, range_m + 0.03);
+  }
+  EXPECT_TRUE(robot.core.doubted[1]);
+  EXPECT_GT(robot.core.filter.variance(kStateY), 0.01 * 0.01);
+}
+
+// One front range has grown by 20 mm, or the gyroscope has turned the heading by 0.1 rad unseen.
+TEST(FusedModelWatch, DoubtsTheHeadingWhereTheFrontPairTurnsAlone)
+{
+  StandingRobot robot;
+  know_all(robot);
+  put_before_riser(robot, 0.15, 0.002);
+  const double range_m = robot.stretch() * 0.15;
+  for (int i = 0; i < 60; ++i) {
+    robot.read_pair(Place::kFrontLeft, range_m, Place::kFrontRight, range_m);
+  }
+  EXPECT_FALSE(robot.core.doubted[2]);
+  for (int i = 0; i < 30 && !robot.core.doubted[2]; ++i) {
+    robot.read_pair(Place::kFrontLeft, range_m + 0.02, Place::kFrontRight, range_m);
+  }
+  EXPECT_TRUE(robot.core.doubted[2]);
+  EXPECT_GT(robot.core.filter.variance(kStateYaw), 0.02 * 0.02);
+}
+
+// One reading knows 4.3 mm: with 1 mm of doubt in y the filter by itself would follow in some 20.
+TEST(FusedModelWatch, FollowsASlip)
+{
+  constexpr unsigned kRobots = 200;
+  for (const double slip_m : {0.012, -0.012}) {
+    int found = 0;
+    double sum_m = 0.0;
+    for (unsigned seed = 1; seed <= kRobots; ++seed) {
+      StandingRobot robot(seed);
+      calibrate(robot);
+      for (int i = 0; i < 15 && robot.core.slipping_until < robot.core.time; ++i) {
+        robot.read(Place::kSideRight, robot.noisy(0.25 + slip_m));
+      }
+      if (robot.core.slipping_until > robot.core.time) {
+        sum_m += robot.core.filter[kStateY] - (0.3 + slip_m);
+        ++found;
+      }
+    }
+    EXPECT_GT(found, 0.9 * kRobots);
+    EXPECT_NEAR(sum_m / found, 0.0, 0.002);
+  }
+}
+
+/// Block 2's right bumper closes; the other switches are known and open.
+void touch_right(StandingRobot & robot)
+{
+  ContactSample contacts;
+  for (auto * side : {&contacts.left, &contacts.right}) {
+    for (Switch & bumper : *side) {
+      bumper = {true, false};
+    }
+  }
+  contacts.stamp = robot.core.time;
+  robot.take(contacts);
+  contacts.right[1].closed = true;
+  robot.take(contacts);
+}
+
+/// Stands at the right wall, sure to be 15 mm off it.
+void believe_to_be_off_the_wall(StandingRobot & robot)
+{
+  robot.know(kStateY, kAtWall + 0.015, 0.002);
+  robot.know(kStateYaw, 0.0, 0.002);
+  robot.know(offset_index(Ranger::kSideRight), -0.015, 0.002);
+  robot.know(gain_index(Ranger::kSideRight), 0.0, 0.002);
+}
+
+// The range said the same as y until the contact: it is the offset that is wrong, and what the
+// sensor reads afterwards must not overrule the contact.
+TEST(FusedModelWatch, AContactThatSurprisesTheRangesTooCalibratesThem)
+{
+  StandingRobot robot;
+  believe_to_be_off_the_wall(robot);
+  const double range_m = robot.stretch() * (kAtWall - kMount);
+  for (int i = 0; i < 5; ++i) {
+    EXPECT_EQ(robot.read(Place::kSideRight, range_m), Outcome::kFused);
+  }
+  EXPECT_NEAR(robot.core.filter[kStateY], kAtWall + 0.015, 0.002);
+  touch_right(robot);
+  for (int i = 0; i < 30; ++i) {
+    robot.read(Place::kSideRight, range_m);
+  }
+  EXPECT_NEAR(robot.core.filter[kStateY], kAtWall, 0.002);
+  EXPECT_NEAR(robot.core.filter[offset_index(Ranger::kSideRight)], 0.0, 0.004);
+}
+
+// No range was in sight: the robot has slipped, and the offset is as it was.
+TEST(FusedModelWatch, AContactThatSurprisesInTheDarkLeavesTheCalibration)
+{
+  StandingRobot robot;
+  believe_to_be_off_the_wall(robot);
+  robot.know(offset_index(Ranger::kSideRight), 0.0, 0.002);
+  touch_right(robot);
+  EXPECT_NEAR(robot.core.filter[kStateY], kAtWall, 0.002);
+  EXPECT_NEAR(robot.core.filter[offset_index(Ranger::kSideRight)], 0.0, 1e-6);
+}
+
+// It slipped by 15 mm just before the wall, two readings ago: too few for an alarm.
+TEST(FusedModelWatch, ASlipJustBeforeAContactLeavesTheCalibration)
+{
+  StandingRobot robot;
+  believe_to_be_off_the_wall(robot);
+  robot.know(offset_index(Ranger::kSideRight), 0.0, 0.002);
+  const double range_m = robot.stretch() * (kAtWall - kMount);
+  robot.read(Place::kSideRight, range_m);
+  robot.read(Place::kSideRight, range_m);
+  EXPECT_GT(robot.core.filter[kStateY], kAtWall + 0.004) << "not followed yet";
+  touch_right(robot);
+  EXPECT_NEAR(robot.core.filter[kStateY], kAtWall, 0.002);
+  EXPECT_NEAR(robot.core.filter[offset_index(Ranger::kSideRight)], 0.0, 0.004);
+}
+
+// Both gains are out by 1.3 %, within their doubt of 1 %: 26 mm of the sum, in every reading alike.
+TEST(FusedModelWatch, DoesNotDoubtWhatTheCalibrationMayExplain)
+{
+  StandingRobot robot;
+  know_all(robot);
+  for (const Ranger ranger : {Ranger::kSideLeft, Ranger::kSideRight}) {
+    robot.know(gain_index(ranger), 0.0, 0.01);
+  }
+  const double range_m = 1.013 * robot.stretch() * (kWidth / 2.0 - kMount);
+  for (int i = 0; i < 60; ++i) {
+    robot.read_pair(Place::kSideLeft, range_m, Place::kSideRight, range_m);
+  }
+  EXPECT_FALSE(robot.core.doubted[1]);
+}
+
+}  // namespace
+}  // namespace stetro_localizer
