@@ -17,6 +17,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <utility>
 
 #include "stetro_dds/stamp.hpp"
 
@@ -46,13 +47,18 @@ std::optional<Operator::Status> Operator::ask(
   std::uint8_t request_kind, std::chrono::nanoseconds limit)
 {
   Request request;
-  request.request_id("request_" + std::to_string(getpid()) + "_" + std::to_string(++asked_));
-  request.issuer("tests");
   request.kind(request_kind);
   request.step(kind::STEP_UNKNOWN);
   if (request_kind == kind::KIND_CLEAN_FLIGHT) {
     request.segment_id("stairs");
   }
+  return ask(std::move(request), limit);
+}
+
+std::optional<Operator::Status> Operator::ask(Request request, std::chrono::nanoseconds limit)
+{
+  request.request_id("request_" + std::to_string(getpid()) + "_" + std::to_string(++asked_));
+  request.issuer("tests");
   const auto answers = [&](const Status & status) {
     return status.request_id() == request.request_id();
   };

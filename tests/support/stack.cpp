@@ -112,9 +112,10 @@ void Stack::start_driver()
 void Stack::start_localizer()
 {
   localizer_.reset();
-  localizer_ = start(
-    "localizer",
-    {{"use_sim_time", "true"}, {"state_file", (folder_.path() / "localizer").string()}});
+  Parameters parameters = {
+    {"use_sim_time", "true"}, {"state_file", (folder_.path() / "localizer").string()}};
+  parameters.insert(options_.localizer_extra.begin(), options_.localizer_extra.end());
+  localizer_ = start("localizer", std::move(parameters));
 }
 
 void Stack::start_supervisor()

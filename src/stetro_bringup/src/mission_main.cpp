@@ -17,11 +17,14 @@
 
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <iostream>
+#include <limits>
 #include <map>
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "CLI/CLI.hpp"
 #include "stetro_dds/executor.hpp"
@@ -46,16 +49,24 @@ constexpr int kRefused = 1;
 constexpr int kNoAnswer = 3;
 
 const std::map<std::string, std::uint8_t> kKinds = {
-  {"clean", request::KIND_CLEAN_FLIGHT},
-  {"pause", request::KIND_PAUSE},
-  {"resume", request::KIND_RESUME},
-  {"abort", request::KIND_ABORT},
-  {"clear-fault", request::KIND_CLEAR_FAULT}};
+  {"clean", request::KIND_CLEAN_FLIGHT},      {"pause", request::KIND_PAUSE},
+  {"resume", request::KIND_RESUME},           {"abort", request::KIND_ABORT},
+  {"clear-fault", request::KIND_CLEAR_FAULT}, {"relocalise", request::KIND_RELOCALISE}};
+
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double kDegree = M_PI / 180.0;
+
+// How well a person with a tape measure knows it, one standard deviation.
+constexpr double kToldSigma = 0.05;                  // [m]
+constexpr double kToldHeadingSigma = 3.0 * kDegree;  // [rad]
 
 struct Order
 {
   std::string what = "status";
   std::string flight;
+  std::string frame;  // of the pose; empty: the flight's
+  std::vector<double> pose = {kUnknown, kUnknown, kUnknown, kUnknown};  // x, y, z [m], psi [deg]
+  int step = request::STEP_UNKNOWN;
   double patience_s = 10.0;
 };
 
@@ -106,7 +117,10 @@ public:
     message.issuer() = "stetro_mission";
     message.kind() = kKinds.at(order.what);
     message.segment_id() = order.flight.c_str();
-    message.step() = request::STEP_UNKNOWN;
+    message.step() = order.step;
+    if (order.what == "relocalise") {
+      tell(order, message);
+    }
     requests_.publish(message);
   }
 
@@ -118,6 +132,22 @@ public:
   [[nodiscard]] const std::optional<MissionStatus> & heard() const { return heard_; }
 
 private:
+  static void tell(const Order & order, MissionRequest & message)
+  {
+    message.header().frame_id() = (order.frame.empty() ? order.flight : order.frame).c_str();
+    auto & pose = message.pose().pose();
+    pose.position().x(order.pose[0]);
+    pose.position().y(order.pose[1]);
+    pose.position().z(order.pose[2]);
+    pose.orientation().x(0.0);
+    pose.orientation().y(0.0);
+    pose.orientation().z(std::sin(order.pose[3] * kDegree / 2.0));
+    pose.orientation().w(std::cos(order.pose[3] * kDegree / 2.0));
+    auto & covariance = message.pose().covariance();
+    covariance[0] = covariance[7] = covariance[14] = kToldSigma * kToldSigma;
+    covariance[35] = kToldHeadingSigma * kToldHeadingSigma;
+  }
+
   stetro_dds::Node node_;
   stetro_dds::Publisher<MissionRequest> & requests_;
   const std::string id_;
@@ -166,7 +196,15 @@ int main(int argc, char ** argv)
     app.add_option("request", order.what, "what to ask for, or status")
       ->check(CLI::IsMember(words))
       ->capture_default_str();
-    app.add_option("--flight", order.flight, "id of the flight, for clean");
+    app.add_option("--flight", order.flight, "id of the flight, for clean and relocalise");
+    app
+      .add_option(
+        "--pose", order.pose,
+        "for relocalise: x, y, z [m] and heading [deg] of the middle block's place on its tread")
+      ->expected(4);
+    app.add_option("--frame", order.frame, "of the pose: map, or the flight's id, the default");
+    app.add_option("--step", order.step, "for relocalise: its tread, 0 the floor; -1 unknown")
+      ->capture_default_str();
     app.add_option("--patience", order.patience_s, "how long to wait for the answer [s]")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();

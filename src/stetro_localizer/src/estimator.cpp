@@ -20,24 +20,26 @@
 
 #include "stetro_localizer/fused_estimator.hpp"
 #include "stetro_localizer/paper_estimator.hpp"
+#include "stetro_site/standing_place.hpp"
 
 namespace stetro_localizer
 {
 
+void note_reset(StairEstimate & estimate, ResetCause cause, const stetro_site::Pose & before)
+{
+  const stetro_site::Pose & after = estimate.pose;
+  ++estimate.reset_counter;
+  estimate.reset_cause = cause;
+  estimate.reset_delta = {
+    after.x_m - before.x_m, after.y_m - before.y_m, after.z_m - before.z_m,
+    stetro_site::wrap_angle(after.yaw_rad - before.yaw_rad)};
+}
+
 std::optional<std::string> implausible(
   const stetro_site::Pose & pose, const stetro_site::Flight & flight, double most_yaw_rad)
 {
-  if (!std::isfinite(pose.x_m + pose.y_m + pose.z_m + pose.yaw_rad)) {
-    return "a number of the pose is not finite";
-  }
-  const int step = flight.step_at(pose.x_m);
-  const double half_riser_m = flight.riser_m(std::max(step, 1)) / 2.0;
-  if (std::abs(pose.z_m - flight.tread_z_m(step)) > half_riser_m) {
-    return "its height is not that of step " + std::to_string(step) + ", which is under its x";
-  }
-  const double width_m = flight.width_m(std::clamp(pose.x_m, 0.0, flight.total_run_m()));
-  if (pose.y_m < 0.0 || pose.y_m > width_m) {
-    return "its y is not between the walls";
+  if (auto why = stetro_site::misplaced(pose, flight)) {
+    return why;
   }
   if (std::abs(pose.yaw_rad) > most_yaw_rad) {
     return "its heading does not face the stairs";

@@ -124,9 +124,7 @@ void PaperEstimator::take_step_event(StepEvent event)
     closure_ = ContactClosure(width_here_m(), robot_.contact_width_m);
     foot_assumed_ = false;
   }
-  if (event == StepEvent::kUndone) {
-    ++told_;
-  }
+  jumps_.undone += event == StepEvent::kUndone ? 1 : 0;
   if (event == StepEvent::kLost) {
     step_reasons_ = kStepUncertain;
     foot_assumed_ = false;

@@ -43,7 +43,7 @@ void PaperEstimator::refresh(Nanoseconds stamp)
 
 void PaperEstimator::refresh_position()
 {
-  const auto step = steps_.step();
+  const auto step = steps_.awaiting_blocks() ? told_step_ : steps_.step();
   estimate_.step = step;
   estimate_.pose = {kUnknown, lateral_.y_m().value_or(kUnknown), kUnknown, heading_.yaw_rad()};
   estimate_.tread_x_m = kUnknown;
@@ -104,16 +104,32 @@ void PaperEstimator::refresh_integrity()
 
 void PaperEstimator::count_resets(const stetro_site::Pose & before)
 {
-  const std::uint32_t resets = resets_at_start_ + told_ + lateral_.restarts() + heading_.restarts();
-  if (resets == estimate_.reset_counter || std::isnan(estimate_.pose.y_m)) {
-    return;
+  if (std::isnan(estimate_.pose.y_m)) {
+    return;  // it is counted when there is something to have jumped to
   }
-  estimate_.reset_counter = resets;
-  const auto delta = [](double to, double from) { return std::isnan(from) ? kUnknown : to - from; };
-  const stetro_site::Pose & after = estimate_.pose;
-  estimate_.reset_delta = {
-    delta(after.x_m, before.x_m), delta(after.y_m, before.y_m), delta(after.z_m, before.z_m),
-    delta(after.yaw_rad, before.yaw_rad)};
+  const ResetCause cause = jumped();
+  if (cause != ResetCause::kNone) {
+    note_reset(estimate_, cause, before);
+  }
+}
+
+// What happens between two answers is one jump; the first that applies names it.
+ResetCause PaperEstimator::jumped()
+{
+  const Jumps counted = jumps_counted_;
+  jumps_.across = lateral_.restarts();
+  jumps_.heading = heading_.restarts();
+  jumps_counted_ = jumps_;
+  if (jumps_.told != counted.told) {
+    return ResetCause::kTold;
+  }
+  if (jumps_.undone != counted.undone) {
+    return ResetCause::kStepUndone;
+  }
+  if (jumps_.across != counted.across) {
+    return ResetCause::kAcrossAnew;
+  }
+  return jumps_.heading != counted.heading ? ResetCause::kHeadingAnew : ResetCause::kNone;
 }
 
 std::array<Bias, 4> PaperEstimator::biases() const

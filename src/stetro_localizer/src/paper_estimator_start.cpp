@@ -43,7 +43,8 @@ void PaperEstimator::begin(const StateReading & stored)
   heading_.set_calibration(calibration.front_difference, calibration.gyro_bias);
   lateral_.set_offset(Side::kLeft, calibration.left);
   lateral_.set_offset(Side::kRight, calibration.right);
-  resets_at_start_ = stored.state.reset_counter + 1;
+  estimate_.reset_counter = stored.state.reset_counter;
+  note_reset(estimate_, ResetCause::kRestarted, estimate_.pose);
   const auto & step = stored.state.step;
   if (step && stored.state.flight_id == flight_.id() && steps_.has(step->step)) {
     steps_.restore(*step);
@@ -59,13 +60,14 @@ std::optional<std::string> PaperEstimator::tell_pose(
   }
   const int step = flight_.step_at(pose.x_m);
   steps_.tell(step);
+  told_step_ = step;
   foot_assumed_ = false;
   floor_x_m_ = pose.x_m;
   floor_travel_m_ = travel_x_m_;
   lateral_.reset(pose.y_m, told_variance(covariance, 1));
   heading_.reset(pose.yaw_rad, told_variance(covariance, 5));
   closure_.clear();
-  ++told_;
+  ++jumps_.told;
   ++step_changes_;
   refresh(estimate_.stamp);
   return std::nullopt;
@@ -85,7 +87,8 @@ StoredState PaperEstimator::state_to_store() const
 
 std::uint64_t PaperEstimator::state_version() const
 {
-  return step_changes_ + lateral_.calibrations() + heading_.calibrations();
+  return step_changes_ + lateral_.calibrations() + heading_.calibrations() +
+         estimate_.reset_counter;
 }
 
 }  // namespace stetro_localizer

@@ -278,6 +278,9 @@ std::optional<int> StepFilter::step() const
 
 std::optional<int> StepFilter::most_probable() const
 {
+  if (mode_ == Mode::kTold) {
+    return published_;
+  }
   return mode_ == Mode::kCounting ? std::optional<int>(belief_.best().step) : std::nullopt;
 }
 

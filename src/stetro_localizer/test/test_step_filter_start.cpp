@@ -43,6 +43,21 @@ TEST(StepFilterStart, RefusesWhatItIsToldIfTheBlocksCannotStandSo)
   }
 }
 
+TEST(StepFilterStart, HoldsWhatItIsToldForMostProbableUntilTheBlocksHaveSettled)
+{
+  HandSetBlocks sweeping;
+  sweeping.filter.tell(5);
+  EXPECT_EQ(sweeping.filter.most_probable(), 5);
+  EXPECT_FALSE(sweeping.filter.step()) << "not yet certain";
+  sweeping.stand({0.14, 0.0, 0.0});
+  EXPECT_EQ(sweeping.filter.most_probable(), 5);
+  EXPECT_EQ(sweeping.filter.step(), 5);
+  HandSetBlocks level;
+  level.filter.tell(5);
+  level.stand({0.0, 0.0, 0.0});
+  EXPECT_FALSE(level.filter.most_probable()) << "the blocks cannot stand so";
+}
+
 struct Restart
 {
   const char * what;

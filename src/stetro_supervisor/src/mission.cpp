@@ -15,6 +15,8 @@
 
 #include <algorithm>
 
+#include "stetro_config/value.hpp"
+#include "stetro_supervisor/pose_reason.hpp"
 #include "stetro_supervisor/rejoin.hpp"
 
 namespace stetro_supervisor
@@ -28,7 +30,7 @@ constexpr char kIdReused[] = "request_id was used for another request";
 
 bool same_matter(const MissionRequest & a, const MissionRequest & b)
 {
-  return a.kind == b.kind && a.segment_id == b.segment_id;
+  return a.kind == b.kind && a.segment_id == b.segment_id && same(a.told, b.told);
 }
 
 bool is_free(State state)
@@ -36,9 +38,26 @@ bool is_free(State state)
   return state == State::kIdle || state == State::kAborted || state == State::kFinished;
 }
 
+bool starts_something(RequestKind kind)
+{
+  return kind == RequestKind::kCleanFlight || kind == RequestKind::kResume ||
+         kind == RequestKind::kRelocalise;
+}
+
 bool emergency_stop_closed(const Situation & s)
 {
   return s.seen.contacts && s.seen.contacts->emergency_stop.state != ContactState::kOpen;
+}
+
+/// What is seen to move, in words; empty if nothing is.
+std::string moving_part(const Situation & s)
+{
+  for (int number = 1; number <= 3; ++number) {
+    if (s.block(number).moving) {
+      return "block " + std::to_string(number);
+    }
+  }
+  return s.seen.blocks && s.seen.blocks->steering_moving ? "the steering" : "";
 }
 
 MissionState mission_state(const Climb & climb)
@@ -99,7 +118,8 @@ MissionAnswer Mission::request(const MissionRequest & request)
 MissionAnswer Mission::answer_new(const MissionRequest & request)
 {
   MissionAnswer answer{request.request_id, request.issuer, false, refusal(request)};
-  answer.accepted = answer.reason.empty();
+  answer.waits = answer.reason.empty() && request.kind == RequestKind::kRelocalise;
+  answer.accepted = answer.reason.empty() && !answer.waits;
   answered_.push_back({request, answer});
   if (answered_.size() > kAnswersKept) {
     answered_.pop_front();
@@ -119,6 +139,10 @@ std::string Mission::refusal(const MissionRequest & request)
   if (climb_.is_asked()) {
     return "another request is being taken up, ask again";
   }
+  if (forwarded_ && starts_something(request.kind)) {
+    return "the localizer is being told a pose by request '" + forwarded_->request.request_id +
+           "', ask again when that is answered";
+  }
   const auto judge = [this](const std::string & reason, Asked asked) {
     if (reason.empty()) {
       climb_.ask(asked);
@@ -131,7 +155,7 @@ std::string Mission::refusal(const MissionRequest & request)
     case RequestKind::kGoToSegment:
       return "going to a segment is not supported yet, and going down stairs is not supported";
     case RequestKind::kRelocalise:
-      return "relocalising is not supported yet";
+      return refuse_relocalise(request);
     case RequestKind::kPause:
       return judge(refuse_pause(), Asked::kPause);
     case RequestKind::kResume:
@@ -219,6 +243,71 @@ std::string Mission::refuse_clear() const
     }
   }
   return "";
+}
+
+std::string Mission::refuse_relocalise(const MissionRequest & request)
+{
+  const Situation s = climb_.situation();
+  if (mission_state(climb_) == MissionState::kRunning) {
+    return std::string("the mission is running, in state '") + to_string(climb_.state()) +
+           "', accepted: idle, paused, held, finished, aborted or in fault";
+  }
+  if (const std::string part = moving_part(s); !part.empty()) {
+    return part + " still moves, accepted: a robot at rest";
+  }
+  const std::string reason = refusal_of(request.told, request.segment_id, flight_);
+  if (!reason.empty()) {
+    return reason;
+  }
+  if (!s.seen.pose) {
+    return "no localizer has been heard yet, accepted: one that can be told";
+  }
+  forwarded_ = Forwarded{request, s.seen.pose->resets, s.now};
+  if (climb_.state() == State::kWaitPose) {
+    climb_.ask(Asked::kRelocalise);
+  }
+  return "";
+}
+
+std::optional<MissionAnswer> Mission::settle()
+{
+  if (!forwarded_) {
+    return std::nullopt;
+  }
+  const Situation s = climb_.situation();
+  const std::string doubt = doubt_of_told(s);
+  const double waited_s = seconds_between(forwarded_->since, s.now);
+  if (!doubt.empty() && waited_s >= 0.0 && waited_s <= s.params.relocalise_limit_s) {
+    return std::nullopt;
+  }
+  const MissionRequest request = forwarded_->request;
+  forwarded_.reset();
+  const MissionAnswer answer{request.request_id, request.issuer, doubt.empty(), doubt};
+  const auto known = std::find_if(answered_.begin(), answered_.end(), [&](const Answered & a) {
+    return a.request.request_id == request.request_id && a.request.issuer == request.issuer;
+  });
+  if (known != answered_.end()) {
+    known->answer = answer;
+  }
+  return answer;
+}
+
+std::string Mission::doubt_of_told(const Situation & s) const
+{
+  const auto & pose = s.seen.pose;
+  const std::string within =
+    " within " + stetro_config::to_text(s.params.relocalise_limit_s) + " s";
+  if (!pose || pose->resets == forwarded_->resets) {
+    return "the localizer has not taken the pose" + within + "; its log and diagnostics say why";
+  }
+  const int told = flight_.step_at(in_flight(forwarded_->request.told, flight_).x_m);
+  const bool sure = pose->integrity != Integrity::kLost && (pose->reasons & kNotInitialised) == 0u;
+  if (sure && pose->step == told) {
+    return "";
+  }
+  return "the localizer took the pose, but is not on step " + std::to_string(told) + within +
+         ": it says step " + std::to_string(pose->step) + ", " + reasons_in_words(pose->reasons) +
+         "; do the blocks stand so?";
 }
 
 MissionStatus Mission::status() const

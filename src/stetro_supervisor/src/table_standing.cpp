@@ -114,7 +114,9 @@ std::vector<Row> standing_rows()
      stay,
      &ClimbParams::pose_limit_s,
      Fault::kPoseLost,
-     {{"the pose was lost too often on this step", pose_flickers, State::kFault, Fault::kPoseLost},
+     {{"a person told the pose: goes on when asked to resume", asked<Asked::kRelocalise>,
+       State::kHeld},
+      {"the pose was lost too often on this step", pose_flickers, State::kFault, Fault::kPoseLost},
       {"the pose is sound again", pose_is_back, State::kRejoin, Fault::kNone, count_rejoin}},
      true,
      false});

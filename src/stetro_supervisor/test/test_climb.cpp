@@ -33,7 +33,7 @@ protected:
 
   ToyRobot robot{stairs(3)};
   Climb climb{ClimbParams{}, stairs(3)};
-  Mission mission{climb};
+  Mission mission{climb, flight_of(climb.geometry())};
 };
 
 TEST_F(ClosedLoop, ClimbsThreeStepsAndSweepsEveryTread)
@@ -90,7 +90,7 @@ TEST_F(ClosedLoop, SweepsRightFirstWhenTold)  // D1-15
   ClimbParams params;
   params.sweep_order = "right_first";
   Climb other{params, stairs(3)};
-  Mission orders{other};
+  Mission orders{other, flight_of(other.geometry())};
   other.tick(robot.now, robot.look());
   ASSERT_TRUE(orders.request({"1", "test", RequestKind::kCleanFlight, "flight"}).accepted);
   ASSERT_TRUE(run_to_state(other, robot, State::kSweepRight)) << where(other, robot);

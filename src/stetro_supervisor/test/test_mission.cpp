@@ -55,7 +55,7 @@ protected:
   int requests = 0;
   ToyRobot robot{stairs(2)};
   Climb climb{ClimbParams{}, stairs(2)};
-  Mission mission{climb};
+  Mission mission{climb, flight_of(climb.geometry())};
 };
 
 class InEveryState : public MissionTest, public testing::WithParamInterface<State>
@@ -263,9 +263,9 @@ TEST_F(MissionTest, TheIdOfAMissionFromBeforeARestartIsNotThatOfAPause)
 {
   start();
   ASSERT_TRUE(run_to_state(climb, robot, State::kSweepLeft)) << where(climb, robot);
-  Mission restarted{climb};
+  Mission restarted{climb, flight_of(climb.geometry())};
   EXPECT_FALSE(restarted.request({"r1", "test", RequestKind::kPause, ""}).accepted);
-  Mission again{climb};
+  Mission again{climb, flight_of(climb.geometry())};
   EXPECT_TRUE(again.request({"r1", "test", RequestKind::kCleanFlight, "flight"}).accepted);
 }
 

@@ -48,7 +48,7 @@ TEST(PoseReason, TheDetailOfTheStatusNamesThemAndFollowsThem)
 {
   ToyRobot robot{stairs(2)};
   Climb climb{ClimbParams{}, stairs(2)};
-  Mission mission{climb};
+  Mission mission{climb, flight_of(climb.geometry())};
   climb.tick(robot.now, robot.look());
   ASSERT_TRUE(mission.request({"1", "test", RequestKind::kCleanFlight, "flight"}).accepted);
   ASSERT_TRUE(run_to_state(climb, robot, State::kSquare)) << where(climb, robot);

@@ -55,7 +55,7 @@ protected:
 
   ToyRobot robot{stairs(3)};
   Climb climb{ClimbParams{}, stairs(3)};
-  Mission mission{climb};
+  Mission mission{climb, flight_of(climb.geometry())};
 };
 
 TEST_F(PseudocodeFaults, D3_1_CorrectsBelowMinusThreeDegreesToo)

@@ -114,14 +114,14 @@ TEST_P(Restart, ComesUpHeldAndGoesOnFromTheRightStep)
 {
   ToyRobot robot{stairs(2)};
   Climb before{ClimbParams{}, stairs(2)};
-  Mission first{before};
+  Mission first{before, flight_of(before.geometry())};
   before.tick(robot.now, robot.look());
   ASSERT_TRUE(first.request({"1", "test", RequestKind::kCleanFlight, "flight"}).accepted);
   ASSERT_TRUE(run_to_state(before, robot, GetParam())) << where(before, robot);
 
   Climb after{ClimbParams{}, stairs(2)};
   after.restore(decode(encode(before.record())));
-  Mission second{after};
+  Mission second{after, flight_of(after.geometry())};
   for (int i = 0; i < 20; ++i) {
     EXPECT_FALSE(after.tick(robot.now, robot.look()).moves()) << "before a resume request";
     robot.act(hold(), 0.05);
@@ -143,14 +143,14 @@ TEST_P(Restart, RefusesToGoOnWithAnotherStep)
 {
   ToyRobot robot{stairs(2)};
   Climb before{ClimbParams{}, stairs(2)};
-  Mission first{before};
+  Mission first{before, flight_of(before.geometry())};
   before.tick(robot.now, robot.look());
   ASSERT_TRUE(first.request({"1", "test", RequestKind::kCleanFlight, "flight"}).accepted);
   ASSERT_TRUE(run_to_state(before, robot, GetParam())) << where(before, robot);
 
   Climb after{ClimbParams{}, stairs(2)};
   after.restore(before.record());
-  Mission second{after};
+  Mission second{after, flight_of(after.geometry())};
   robot.meddle = [](Observation & o) { o.pose->step += 2; };
   for (int i = 0; i < 5; ++i) {
     after.tick(robot.now, robot.look());

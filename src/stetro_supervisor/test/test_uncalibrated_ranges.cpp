@@ -63,7 +63,7 @@ protected:
 
   ToyRobot robot{stairs(2)};
   Climb climb{ClimbParams{}, stairs(2)};
-  Mission mission{climb};
+  Mission mission{climb, flight_of(climb.geometry())};
 };
 
 TEST_F(UncalibratedRanges, DoubtIsThreeAndAHalfDeviationsOfOffsetGainAndNoise)

@@ -42,6 +42,9 @@ public:
    * \return the status that echoes the request; nothing if none came */
   std::optional<Status> ask(std::uint8_t kind, std::chrono::nanoseconds limit);
 
+  /// The same with a request that has more to say; id, issuer and stamp are filled in.
+  std::optional<Status> ask(Request request, std::chrono::nanoseconds limit);
+
   /// Asks for the flight `stairs` to be cleaned, again and again until it is accepted.
   /** \return why it was refused last; empty if it was accepted */
   std::string start_climb(std::chrono::nanoseconds limit);

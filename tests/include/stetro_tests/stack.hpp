@@ -58,8 +58,9 @@ struct StackOptions
   std::string site = short_flight();
   double speed = 4.0;  ///< simulated seconds per second
   std::uint64_t seed = 7;
-  std::string ros_distro{};   ///< empty: the default
-  Parameters driver_extra{};  ///< further parameters, such as sim.faults
+  std::string ros_distro{};      ///< empty: the default
+  Parameters driver_extra{};     ///< further parameters, such as sim.faults
+  Parameters localizer_extra{};  ///< likewise, such as estimator
 };
 
 /// An installed executable and the parameters to start it with.

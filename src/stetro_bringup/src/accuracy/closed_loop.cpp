@@ -89,7 +89,7 @@ ClosedLoop::ClosedLoop(
   climb_(
     setup.supervisor.params.climb,
     stetro_supervisor::make_geometry(setup.flight(), setup.supervisor.robot.geometry)),
-  mission_(climb_)
+  mission_(climb_, setup.flight())
 {
   if (estimators.empty()) {
     throw std::invalid_argument("estimators: none given, accepted: at least one, which drives");

@@ -25,6 +25,7 @@
 #include "stetro_localizer/integrity.hpp"
 #include "stetro_localizer/outcome.hpp"
 #include "stetro_localizer/params.hpp"
+#include "stetro_localizer/reset_cause.hpp"
 #include "stetro_localizer/samples.hpp"
 #include "stetro_localizer/state_file.hpp"
 #include "stetro_site/flight.hpp"
@@ -55,10 +56,11 @@ struct StairEstimate
   double protection_across_m = kUnknown;     ///< of y [m]
   double protection_heading_rad = kUnknown;  ///< [rad]
   double integrity_risk = kUnknown;          ///< that one of them is exceeded unseen, each step
-  std::uint32_t reset_counter = 0;           ///< jumps of the estimate
-  stetro_site::Pose reset_delta;             ///< how far the last one went
-  std::optional<double> measured_x_m;        ///< x by the front pair (D1-13) [m]
-  std::optional<double> contact_closure_m;   ///< eq. (3) of this tread [m]
+  std::uint32_t reset_counter = 0;           ///< jumps of the estimate, those before a restart too
+  ResetCause reset_cause = ResetCause::kNone;  ///< why it jumped last
+  stetro_site::Pose reset_delta;            ///< how far it jumped; NaN where it was unknown before
+  std::optional<double> measured_x_m;       ///< x by the front pair (D1-13) [m]
+  std::optional<double> contact_closure_m;  ///< eq. (3) of this tread [m]
 };
 
 /// A constant error that the estimator learns.
@@ -105,6 +107,9 @@ public:
   [[nodiscard]] virtual StoredState state_to_store() const = 0;
   [[nodiscard]] virtual std::uint64_t state_version() const = 0;
 };
+
+/// Counts a jump of the estimate, from `before` to the pose that it has now.
+void note_reset(StairEstimate & estimate, ResetCause cause, const stetro_site::Pose & before);
 
 /// Why a pose in the flight frame cannot be told to an estimator; nothing if it can.
 /** It must be a number, stand on the step under it, lie between the walls and face the stairs. */

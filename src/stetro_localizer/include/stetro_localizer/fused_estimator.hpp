@@ -62,7 +62,8 @@ public:
 
 private:
   [[nodiscard]] Verdict take(Source input, const Sample & sample, Nanoseconds now, Refusal fault);
-  void refresh();
+  void refresh(ResetCause cause = ResetCause::kNone);
+  [[nodiscard]] ResetCause jumped(std::optional<int> step_before);
   void refresh_position();
   void refresh_covariance();
   void refresh_protection();
@@ -81,9 +82,9 @@ private:
   std::array<Nanoseconds, stetro_site::kPlaces.size()> last_reading_{};
   bool silent_ = false;
   std::uint32_t begin_reasons_ = 0;  // what the state file left to say
-  std::uint32_t resets_at_start_ = 0;
-  std::uint64_t told_ = 0;  // times that someone told the pose
-  double risk_quantile_;    // standard deviations that an error exceeds at the integrity risk
+  std::uint32_t jumps_counted_ = 0;  // of the core, in the reset counter
+  bool located_once_ = false;        // by itself or told: the next time is another time
+  double risk_quantile_;  // standard deviations that an error exceeds at the integrity risk
 };
 
 }  // namespace stetro_localizer

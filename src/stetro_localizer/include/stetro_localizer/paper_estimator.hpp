@@ -87,6 +87,7 @@ private:
   void refresh_covariance();
   void refresh_integrity();
   void count_resets(const stetro_site::Pose & before);
+  [[nodiscard]] ResetCause jumped();
 
   LocalizerParams params_;
   stetro_site::RobotGeometry robot_;
@@ -107,12 +108,21 @@ private:
   double floor_travel_m_ = 0.0;   // travel_x_m_ at that time
   Nanoseconds outside_since_{0};  // x was first measured off the tread; zero: it is on it
   bool outside_tread_ = false;
-  bool foot_assumed_ = false;  // step 0 rests on level blocks alone
+  std::optional<int> told_step_;  // where it stands, until the blocks have agreed or not
+  bool foot_assumed_ = false;     // step 0 rests on level blocks alone
   bool silent_ = false;
   bool switch_conflict_ = false;
   std::uint32_t step_reasons_ = kNotInitialised;  // while the step is unknown
-  std::uint32_t resets_at_start_ = 0;
-  std::uint32_t told_ = 0;  // jumps because someone told, or a step was undone
+
+  struct Jumps
+  {
+    std::uint32_t told = 0;
+    std::uint32_t undone = 0;  // steps
+    std::uint32_t across = 0;  // y was measured anew
+    std::uint32_t heading = 0;
+  };
+  Jumps jumps_;          // so far
+  Jumps jumps_counted_;  // of them, in the reset counter
   std::uint64_t step_changes_ = 0;
 };
 

@@ -82,7 +82,8 @@ public:
 
   /// The step; nothing while lost, awaiting or uncertain.
   [[nodiscard]] std::optional<int> step() const;
-  /// The step that is most probable, certain or not; nothing while lost or awaiting.
+  /// The step that is most probable, certain or not; as told until the blocks have settled; nothing
+  /// while lost or otherwise awaiting.
   [[nodiscard]] std::optional<int> most_probable() const;
   /// Of the most probable step, 0 to 1; 0 while lost or awaiting.
   [[nodiscard]] double probability() const;

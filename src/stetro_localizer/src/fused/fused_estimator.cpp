@@ -130,9 +130,11 @@ void FusedEstimator::tick(Nanoseconds now)
   refresh();
 }
 
-void FusedEstimator::refresh()
+void FusedEstimator::refresh(ResetCause cause)
 {
   const FusedCore & core = history_.core();
+  const stetro_site::Pose before = estimate_.pose;
+  const std::optional<int> step_before = estimate_.step;
   for (std::size_t i = static_cast<std::size_t>(Source::kSideLeft); i < kSourceCount; ++i) {
     reports_[static_cast<Source>(i)] = core.reports[static_cast<Source>(i)];
   }
@@ -142,7 +144,27 @@ void FusedEstimator::refresh()
   refresh_protection();
   refresh_integrity();
   estimate_.contact_closure_m = core.closure.error_m();
-  estimate_.reset_counter = resets_at_start_ + core.jumps;
+  const ResetCause own = jumped(step_before);
+  cause = cause == ResetCause::kNone ? own : cause;
+  if (cause != ResetCause::kNone) {
+    note_reset(estimate_, cause, before);
+  }
+}
+
+// The core counts how often x began anew. A late sample that makes such a jump undone is another
+// jump of what was published. The first time is the beginning, not a jump.
+ResetCause FusedEstimator::jumped(std::optional<int> step_before)
+{
+  const FusedCore & core = history_.core();
+  const bool anew = core.jumps != jumps_counted_;
+  const bool first = !located_once_;
+  jumps_counted_ = core.jumps;
+  located_once_ = located_once_ || core.located_on;
+  if (anew && !first) {
+    return ResetCause::kLocatedAgain;
+  }
+  const bool undone = step_before && core.located_on && *core.located_on < *step_before;
+  return undone ? ResetCause::kStepUndone : ResetCause::kNone;
 }
 
 void FusedEstimator::refresh_position()

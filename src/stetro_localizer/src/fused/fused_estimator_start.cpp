@@ -48,7 +48,8 @@ void FusedEstimator::begin(const StateReading & stored)
       if (stored.state.fused) {
         core.filter.set_calibration(*stored.state.fused);
       }
-      resets_at_start_ = stored.state.reset_counter + 1;
+      estimate_.reset_counter = stored.state.reset_counter;
+      note_reset(estimate_, ResetCause::kRestarted, estimate_.pose);
       const auto & step = stored.state.step;
       if (step && stored.state.flight_id == flight_.id() && core.steps.has(step->step)) {
         core.steps.restore(*step);
@@ -74,8 +75,7 @@ std::optional<std::string> FusedEstimator::tell_pose(
   core.filter.set(kStateY, pose.y_m, told_variance(covariance, 1));
   core.filter.set(kStateYaw, pose.yaw_rad, told_variance(covariance, 5));
   history_.restart(core);
-  ++told_;
-  refresh();
+  refresh(ResetCause::kTold);
   return std::nullopt;
 }
 
@@ -91,6 +91,10 @@ StoredState FusedEstimator::state_to_store() const
   return state;
 }
 
-std::uint64_t FusedEstimator::state_version() const { return told_ + history_.core().landmarks; }
+// A late sample may take landmarks back; resets only grow.
+std::uint64_t FusedEstimator::state_version() const
+{
+  return (std::uint64_t{estimate_.reset_counter} << 32) + history_.core().landmarks;
+}
 
 }  // namespace stetro_localizer

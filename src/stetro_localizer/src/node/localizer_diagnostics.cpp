@@ -47,6 +47,13 @@ void LocalizerNode::Parts::report_estimate(DiagnosticReport & report) const
   report.value("heading [deg]", estimate.pose.yaw_rad * 180.0 / M_PI);
   report.value("heading sigma [deg]", std::sqrt(estimate.covariance(5, 5)) * 180.0 / M_PI);
   report.value("resets", static_cast<std::uint64_t>(estimate.reset_counter));
+  report.value("last reset", std::string(to_string(estimate.reset_cause)));
+  report.value("initialpose taken", told_poses_.taken);
+  report.value("initialpose refused", told_poses_.refused);
+  if (told_poses_.refused > 0) {
+    const stetro_dds::Refusal & last = told_poses_.last_refusal;
+    report.value("initialpose last refused", last.reason + ": " + last.detail);
+  }
   if (estimate.contact_closure_m) {
     report.value("contact closure [m]", *estimate.contact_closure_m);
   }

@@ -31,8 +31,7 @@ using Rejection = std::optional<stetro_dds::Refusal>;
 
 constexpr std::chrono::milliseconds kTick{100};
 constexpr std::chrono::milliseconds kStallCheck{500};
-constexpr int kStalledChecks = 4;               // so many without time passing: the clock stalls
-constexpr std::chrono::seconds kOldestPose{5};  // that a person tells
+constexpr int kStalledChecks = 4;  // so many without time passing: the clock stalls
 
 LocalizerSetup setup_of(const LocalizerParams & params)
 {
@@ -52,6 +51,7 @@ LocalizerNode::Parts::Parts(
   node_(context, options),
   estimator_(make_estimator(params_, setup.robot, flight_)),
   state_file_(params_.state_file),
+  told_poses_(nanoseconds(params_.future_tolerance_s)),
   pose_(node_.advertise<geometry_msgs::msg::PoseWithCovarianceStamped>("pose", qos::kPose)),
   stair_pose_(node_.advertise<stetro_msgs::msg::StairPose>("stair_pose", qos::kLatched)),
   innovations_(node_.advertise<stetro_msgs::msg::Innovations>("innovations", qos::kSensor)),
@@ -80,6 +80,12 @@ void LocalizerNode::Parts::read_state()
   }
   estimator_->begin(stored);
   stored_version_ = estimator_->state_version();
+  tell_resets(estimator_->estimate());
+  if (stored.kind == StateReading::Kind::kFound) {  // the next restart is another number
+    StoredState renumbered = stored.state;
+    renumbered.reset_counter = estimator_->estimate().reset_counter;
+    write(renumbered);
+  }
 }
 
 // The order here is the order in which one round of the executor takes the samples: what carries
@@ -150,28 +156,6 @@ void LocalizerNode::Parts::open_corrections()
     });
 }
 
-Rejection LocalizerNode::Parts::take_told_pose(
-  const geometry_msgs::msg::PoseWithCovarianceStamped & message)
-{
-  StampGuard fresh({nanoseconds(params_.future_tolerance_s), kOldestPose});
-  const Refusal unfit = fresh.accept(time_of(message.header().stamp()), node_.clock().now());
-  if (unfit != Refusal::kNone) {
-    return stetro_dds::Refusal{to_string(unfit)};
-  }
-  stetro_site::Pose pose;
-  stetro_site::Covariance covariance;
-  if (auto rejection = take(message, flight_, pose, covariance)) {
-    node_.log().warn("initialpose refused: {}, {}", rejection->reason, rejection->detail);
-    return rejection;
-  }
-  if (const auto why = estimator_->tell_pose(pose, covariance)) {
-    node_.log().warn("initialpose refused: {}", *why);
-    return stetro_dds::Refusal{"implausible", *why};
-  }
-  node_.log().info("initialpose taken: x {:.3f} m, y {:.3f} m", pose.x_m, pose.y_m);
-  return std::nullopt;
-}
-
 void LocalizerNode::Parts::tick(Nanoseconds now)
 {
   const Nanoseconds before = estimator_->estimate().stamp;
@@ -197,10 +181,11 @@ void LocalizerNode::Parts::watch_clock()
 
 void LocalizerNode::Parts::publish()
 {
+  StairEstimate estimate = estimator_->estimate();
+  tell_resets(estimate);
   if (!node_.lifecycle().active()) {
     return;
   }
-  StairEstimate estimate = estimator_->estimate();
   if (stalled_checks_ >= kStalledChecks) {
     estimate.reasons |= kInputSilent;
     estimate.integrity = integrity_of(estimate.reasons, estimate.step.has_value());
@@ -240,7 +225,12 @@ void LocalizerNode::Parts::store()
     return;
   }
   stored_version_ = estimator_->state_version();
-  const auto trouble = state_file_.write(estimator_->state_to_store());
+  write(estimator_->state_to_store());
+}
+
+void LocalizerNode::Parts::write(const StoredState & state)
+{
+  const auto trouble = state_file_.write(state);
   if (trouble && *trouble != state_trouble_) {
     node_.log().error("{}", *trouble);
   }

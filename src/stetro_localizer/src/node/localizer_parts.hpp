@@ -16,6 +16,8 @@
 #define NODE__LOCALIZER_PARTS_HPP_
 
 #include <array>
+#include <chrono>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -29,6 +31,19 @@
 
 namespace stetro_localizer
 {
+
+/// What people said on `initialpose`.
+struct ToldPoses
+{
+  explicit ToldPoses(Nanoseconds future_tolerance) : order({future_tolerance, kOldest}) {}
+
+  static constexpr std::chrono::seconds kOldest{5};
+  StampGuard order;  // of those taken
+  std::uint64_t taken = 0;
+  std::uint64_t refused = 0;
+  stetro_dds::Refusal last_refusal;  // empty: none yet
+  Nanoseconds last_logged{0};        // on the steady clock
+};
 
 /// What the node is made of. The messages keep their memory from one answer to the next.
 class LocalizerNode::Parts
@@ -48,11 +63,15 @@ private:
   std::optional<stetro_dds::Refusal> take_ranges(const stetro_msgs::msg::RangeArray & message);
   std::optional<stetro_dds::Refusal> take_told_pose(
     const geometry_msgs::msg::PoseWithCovarianceStamped & message);
+  std::optional<stetro_dds::Refusal> judge_told_pose(
+    const geometry_msgs::msg::PoseWithCovarianceStamped & message);
   void tick(Nanoseconds now);
   void watch_clock();
   void publish();
   void tell_changes(const StairEstimate & estimate);
+  void tell_resets(const StairEstimate & estimate);
   void store();
+  void write(const StoredState & state);
   void report_estimate(stetro_dds::DiagnosticReport & report) const;
   void report_inputs(stetro_dds::DiagnosticReport & report);
   void report_calibration(stetro_dds::DiagnosticReport & report) const;
@@ -69,6 +88,8 @@ private:
   Nanoseconds last_checked_{0};
   std::optional<Integrity> told_integrity_;
   std::optional<int> told_step_;
+  std::uint32_t told_resets_ = 0;  // the last one in the log
+  ToldPoses told_poses_;
   std::array<std::uint64_t, kSourceCount> counted_{};  // samples at the last report
   Nanoseconds counted_at_{0};                          // on the steady clock
 

@@ -133,6 +133,32 @@ protected:
     return 0;
   }
 
+  /// A value of the task "estimate" in the node's diagnostics.
+  [[nodiscard]] std::string diagnosed(const std::string & key)
+  {
+    for (const auto & [task, report] : localizer_->node().diagnostics().reports()) {
+      for (const auto & [name, value] : report.values()) {
+        if (task == "estimate" && name == key) {
+          return value;
+        }
+      }
+    }
+    return "";
+  }
+
+  /// That the robot stands where it does: on tread 3, in the flight frame.
+  [[nodiscard]] static geometry_msgs::msg::PoseWithCovarianceStamped told_at(Nanoseconds stamp)
+  {
+    StairEstimate told;
+    told.stamp = stamp;
+    told.pose = {2.5 * 0.32, 1.0, 3 * 0.14, 0.0};
+    geometry_msgs::msg::PoseWithCovarianceStamped message;
+    fill(message, told, papers_flight());
+    message.header().frame_id("papers");
+    message.header().stamp(stamp_of(stamp));
+    return message;
+  }
+
   const fs::path folder_ = fs::temp_directory_path() / ("localizer_" + std::to_string(::getpid()));
   LocalizerParams params_;
   stetro_dds::Context context_{test_options()};
@@ -273,6 +299,67 @@ TEST_F(LocalizerNodeTest, RefusesPosesThatCannotBe)
   EXPECT_EQ(refused("initialpose", "implausible"), 1u);
   wire_.correct({});
   EXPECT_EQ(refused("pose_correction", "not_on_a_floor"), 1u);
+}
+
+TEST_F(LocalizerNodeTest, RefusesAToldPoseByItsStampAndItsFrameAndSaysSo)
+{
+  robot_.rest(1.0);
+  const auto tell = [&](Nanoseconds stamp, const std::string & frame = "papers") {
+    auto message = told_at(stamp);
+    message.header().frame_id(frame);
+    wire_.tell(message);
+  };
+  tell(Nanoseconds{0});
+  EXPECT_EQ(refused("initialpose", "stamp is zero"), 1u);
+  tell(robot_.now - std::chrono::seconds(6));
+  EXPECT_EQ(refused("initialpose", "too old"), 1u);
+  tell(robot_.now + std::chrono::seconds(1));
+  EXPECT_EQ(refused("initialpose", "stamp is in the future"), 1u);
+  tell(robot_.now, "odom");
+  EXPECT_EQ(refused("initialpose", "frame"), 1u);
+  EXPECT_EQ(diagnosed("initialpose refused"), "4");
+  EXPECT_NE(diagnosed("initialpose last refused").find("'odom'"), std::string::npos);
+  EXPECT_EQ(diagnosed("initialpose taken"), "0");
+  EXPECT_EQ(stair_pose_->reset_counter(), 0u);
+
+  tell(robot_.now);  // the one refused for its frame has not used up the stamp
+  EXPECT_EQ(diagnosed("initialpose taken"), "1");
+  tell(robot_.now - std::chrono::seconds(1));
+  EXPECT_EQ(refused("initialpose", "out of order"), 1u);
+  EXPECT_EQ(stair_pose_->reset_counter(), 1u);
+}
+
+TEST_F(LocalizerNodeTest, PublishesAToldPoseAtOnceAsAResetWithItsCause)
+{
+  robot_.rest(1.0);
+  EXPECT_EQ(diagnosed("last reset"), "none");
+  auto message = told_at(robot_.now);
+  message.pose().pose().position().y(1.2);
+  wire_.tell(message);
+  ASSERT_EQ(stair_pose_->reset_counter(), 1u);
+  EXPECT_NEAR(stair_pose_->reset_delta_x(), 0.0, 1e-9);
+  EXPECT_NEAR(stair_pose_->reset_delta_y(), 0.2, 1e-6);
+  EXPECT_NEAR(stair_pose_->reset_delta_z(), 0.0, 1e-9);
+  EXPECT_NEAR(stair_pose_->reset_delta_heading(), 0.0, 1e-6);
+  EXPECT_NEAR(stair_pose_->pose().pose().position().y(), 1.2, 1e-6);
+  EXPECT_EQ(diagnosed("resets"), "1");
+  EXPECT_EQ(diagnosed("last reset"), "told by initialpose");
+}
+
+TEST_F(LocalizerNodeTest, EachRestartIsAResetWithANumberOfItsOwn)
+{
+  robot_.rest(1.0);
+  robot_.climb(3);  // something worth storing
+  const std::uint32_t before = stair_pose_->reset_counter();
+  for (std::uint32_t restart = 1; restart <= 3; ++restart) {
+    stop();
+    start();
+    EXPECT_EQ(diagnosed("resets"), std::to_string(before + restart)) << "nothing has moved since";
+    EXPECT_EQ(diagnosed("last reset"), "restarted from the stored state");
+  }
+  robot_.rest(1.0);
+  EXPECT_EQ(stair_pose_->step_index(), 4);
+  EXPECT_EQ(stair_pose_->reset_counter(), before + 3);
 }
 
 TEST_F(LocalizerNodeTest, RefusesToStartOnAWrongSite)

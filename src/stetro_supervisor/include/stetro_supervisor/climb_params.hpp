@@ -95,6 +95,7 @@ struct ClimbParams
   double top_limit_s = 20.0;
   double pose_limit_s = 120.0;
   double held_limit_s = 3600.0;
+  double relocalise_limit_s = 2.0;
 };
 
 /// The one list of the parameters: loading, bounds, printing and the reference table.
@@ -232,6 +233,9 @@ void visit(ClimbParams & p, Visitor && each)
     "limit.confirm_s", p.confirm_limit_s, limit_s,
     "the localizer counting a step that was felt [s]");
   each("limit.top_s", p.top_limit_s, limit_s, "seeing that the landing is free [s]");
+  each(
+    "limit.relocalise_s", p.relocalise_limit_s, Within{0.1, 60.0},
+    "waiting for the localizer to take a pose that was told [s]");
   each("limit.pose_s", p.pose_limit_s, Within{1.0, 3600.0}, "waiting for a sound pose [s]");
   each(
     "limit.held_s", p.held_limit_s, Within{1.0, 86400.0},

@@ -16,10 +16,14 @@
 
 #include <cstdint>
 #include <deque>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "stetro_site/flight.hpp"
 #include "stetro_supervisor/climb.hpp"
+#include "stetro_supervisor/told_pose.hpp"
 
 namespace stetro_supervisor
 {
@@ -40,7 +44,8 @@ struct MissionRequest
   std::string request_id;  ///< unique per issuer, not empty: the same id twice is one request
   std::string issuer;      ///< not empty
   RequestKind kind = RequestKind::kUnknown;
-  std::string segment_id;  ///< for kCleanFlight
+  std::string segment_id;  ///< for kCleanFlight and kRelocalise
+  ToldPose told{};         ///< for kRelocalise
 };
 
 /// The answer echoes the request. Refused says why: what was found, what is accepted.
@@ -50,6 +55,7 @@ struct MissionAnswer
   std::string issuer;
   bool accepted = false;
   std::string reason;  ///< empty when accepted
+  bool waits = false;  ///< neither yet: `Mission::settle()` will answer
 };
 
 enum class MissionState : std::uint8_t {
@@ -79,23 +85,33 @@ struct MissionStatus
 /// Answers requests and says what the robot is doing.
 /**
  * A request is judged by the situation of the last tick and taken up by the next one. Going down
- * stairs, going to another segment and relocalising are refused as not supported.
+ * stairs and going to another segment are refused as not supported.
+ *
+ * To relocalise is to tell the localizer a pose while nothing moves. Whoever owns the mission
+ * forwards it when the answer waits; the answer comes from `settle()`, when the localizer's pose
+ * has jumped and its blocks agree with the step that was told, or not within `limit.relocalise_s`.
+ * Meanwhile nothing can be started or resumed, and a climb that waited for the pose is held: it
+ * goes on when asked to, if then posture, step and mission agree (`rejoin.hpp`).
  */
 class Mission
 {
 public:
   /// \param climb outlives the mission
-  explicit Mission(Climb & climb) : climb_(climb) {}
+  /// \param flight that it climbs, and that a told pose is judged by
+  Mission(Climb & climb, stetro_site::Flight flight) : climb_(climb), flight_(std::move(flight)) {}
 
   /// Accepts or refuses; a request seen before gets the answer it got then and changes nothing.
   /**
-   * Seen before means: the same id of the same issuer, for the same kind and segment. An id that
-   * was used for another kind or segment is refused, for the two cannot be told apart in an answer.
+   * Seen before means: the same id of the same issuer, for the same kind, segment and told pose. An
+   * id that was used for another is refused, for the two cannot be told apart in an answer.
    */
   MissionAnswer request(const MissionRequest & request);
 
   /// Whether a request has been answered before and would only get that answer again.
   bool knows(const MissionRequest & request) const;
+
+  /// The answer that waited, once: to be asked for after each tick.
+  std::optional<MissionAnswer> settle();
 
   MissionStatus status() const;
 
@@ -106,16 +122,28 @@ private:
     MissionAnswer answer;
   };
 
+  /// A told pose on its way to the localizer.
+  struct Forwarded
+  {
+    MissionRequest request;
+    std::uint32_t resets;  // of the localizer's pose before
+    Time since;
+  };
+
   const Answered * find(const MissionRequest & request) const;
   MissionAnswer answer_new(const MissionRequest & request);
   std::string refusal(const MissionRequest & request);
   std::string refuse_clean(const MissionRequest & request);
+  std::string refuse_relocalise(const MissionRequest & request);
+  std::string doubt_of_told(const Situation & s) const;  // that the localizer has followed
   std::string refuse_pause() const;
   std::string refuse_resume() const;
   std::string refuse_abort() const;
   std::string refuse_clear() const;
 
   Climb & climb_;
+  stetro_site::Flight flight_;
+  std::optional<Forwarded> forwarded_;
   std::deque<Answered> answered_;  // the last ones, for duplicates
 };
 

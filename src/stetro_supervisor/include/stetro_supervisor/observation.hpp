@@ -119,6 +119,7 @@ struct StairPose
   double heading_rad = kNan;  ///< psi, CCW positive, 0 faces the risers (D1-6)
   Integrity integrity = Integrity::kUnknown;
   std::uint32_t reasons = 0;  ///< why integrity is not OK: a sum of PoseReason
+  std::uint32_t resets = 0;   ///< jumps of the estimate so far
 };
 
 /// What the driver said to our last command.

@@ -40,7 +40,15 @@ struct Path
 };
 
 /// What an operator asked for, for one tick.
-enum class Asked : std::uint8_t { kNothing, kStart, kPause, kResume, kAbort, kClearFault };
+enum class Asked : std::uint8_t {
+  kNothing,
+  kStart,
+  kPause,
+  kResume,
+  kAbort,
+  kClearFault,
+  kRelocalise  ///< a person is telling the pose: what waits for it goes on when a person says so
+};
 
 /// What the climb remembers between ticks. Only `record` survives a restart.
 struct Memory

@@ -31,6 +31,7 @@ namespace stetro_supervisor
  *   Idle, Aborted, Finished --(start)--> Rejoin
  *   Held, Paused            --(resume)--> Rejoin      WaitPose --(pose sound again)--> Rejoin
  *   WaitPose                --(sound again, but lost too often on this step)--> Fault
+ *   WaitPose                --(a person tells the pose)--> Held
  *   Rejoin --(posture, step and mission agree)--> the state to go on from, see `rejoin.hpp`
  *
  *   to the first riser (D3-9)

@@ -121,6 +121,26 @@ Integrity integrity_of(std::uint8_t integrity)
   }
 }
 
+bool is_upright(const geometry_msgs::msg::Quaternion & q)
+{
+  return is_unit(q) && std::hypot(q.x(), q.y()) < 0.05;
+}
+
+ToldPose told_by(const stetro_msgs::msg::MissionRequest & message)
+{
+  const auto & pose = message.pose().pose();
+  const auto & at = pose.position();
+  const double yaw_rad = is_upright(pose.orientation()) ? yaw_of(pose.orientation()) : kNan;
+  ToldPose told;
+  told.frame_id = message.header().frame_id().c_str();
+  told.pose = {at.x(), at.y(), at.z(), yaw_rad};
+  told.step = message.step();
+  for (int i = 0; i < 36; ++i) {
+    told.covariance(i / 6, i % 6) = message.pose().covariance()[static_cast<std::size_t>(i)];
+  }
+  return told;
+}
+
 std_msgs::msg::Header header(Time now, const std::string & frame)
 {
   std_msgs::msg::Header result;
@@ -221,6 +241,7 @@ std::optional<Refusal> take(
   stair.heading_rad = finite ? yaw_of(pose.orientation()) : kNan;
   stair.integrity = integrity;
   stair.reasons = message.reasons();
+  stair.resets = message.reset_counter();
   seen.pose = stair;
   return std::nullopt;
 }
@@ -279,9 +300,22 @@ MissionRequest from_message(const stetro_msgs::msg::MissionRequest & message)
         return RequestKind::kUnknown;
     }
   };
-  return {
+  MissionRequest request{
     message.request_id().c_str(), message.issuer().to_string(), kind(),
     message.segment_id().c_str()};
+  if (request.kind == RequestKind::kRelocalise) {
+    request.told = told_by(message);
+  }
+  return request;
+}
+
+geometry_msgs::msg::PoseWithCovarianceStamped told_to_localizer(
+  const stetro_msgs::msg::MissionRequest & message, Time stamp)
+{
+  geometry_msgs::msg::PoseWithCovarianceStamped told;
+  told.header(header(stamp, message.header().frame_id().c_str()));
+  told.pose(message.pose());
+  return told;
 }
 
 stetro_msgs::msg::Command to_message(

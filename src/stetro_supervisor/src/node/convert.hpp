@@ -28,6 +28,7 @@
 #include "stetro_msgs/MissionRequest.hpp"
 #include "stetro_msgs/MissionStatus.hpp"
 #include "stetro_msgs/Odometry.hpp"
+#include "stetro_msgs/PoseWithCovarianceStamped.hpp"
 #include "stetro_msgs/RangeArray.hpp"
 #include "stetro_msgs/StairPose.hpp"
 #include "stetro_site/flight.hpp"
@@ -67,6 +68,10 @@ std::optional<Refusal> take(
 std::optional<Refusal> doubt_of(const stetro_msgs::msg::MissionRequest & message);
 
 MissionRequest from_message(const stetro_msgs::msg::MissionRequest & message);
+
+/// The pose of a request to relocalise, for `initialpose`, in the frame it was told in.
+geometry_msgs::msg::PoseWithCovarianceStamped told_to_localizer(
+  const stetro_msgs::msg::MissionRequest & message, Time stamp);
 
 /// Who commands, and how long a command may act.
 struct Issuer

@@ -32,6 +32,7 @@ using stetro_dds::Reception;
 
 constexpr std::chrono::milliseconds kStatusPeriod{500};
 constexpr std::chrono::seconds kFleetPeriod{1};
+constexpr std::chrono::seconds kRecentPose{1};
 
 Time nanoseconds(double seconds) { return Time{std::llround(seconds * 1e9)}; }
 
@@ -65,7 +66,7 @@ SupervisorNode::Parts::Parts(
   robot_name_(setup.robot.name),
   node_(context, options),
   climb_(params_.climb, make_geometry(flight_, setup.robot.geometry)),
-  mission_(climb_),
+  mission_(climb_, flight_),
   store_(params_.state_file),
   pose_stamps_(nanoseconds(params_.future_tolerance_s)),
   status_stamps_(nanoseconds(params_.future_tolerance_s), nanoseconds(params_.max_sample_age_s)),
@@ -73,6 +74,8 @@ SupervisorNode::Parts::Parts(
   issuer_{node_.name().full(), drawn_instance(), nanoseconds(params_.valid_for_s)},
   command_(node_.advertise<stetro_msgs::msg::Command>("command", qos::kCommand)),
   status_(node_.advertise<stetro_msgs::msg::MissionStatus>("mission_status", qos::kLatched)),
+  initialpose_(node_.advertise<geometry_msgs::msg::PoseWithCovarianceStamped>(
+    "initialpose", qos::kCorrection)),
   fleet_(node_.advertise<rmf_fleet_msgs::msg::FleetState>("/fleet_states", qos::kFleetState))
 {
   open_inputs();
@@ -195,24 +198,52 @@ std::optional<Refusal> SupervisorNode::Parts::take_request(
 {
   const MissionRequest request = from_message(message);
   auto doubt = doubt_of(message);
-  if (!doubt && !mission_.knows(request)) {  // one that is repeated changes nothing, however old
+  const bool repeated = mission_.knows(request);
+  if (!doubt && !repeated) {  // one that is repeated changes nothing, however old
     doubt = request_stamps_.judge(
       time_of(message.header().stamp()), {node_.clock().now(), node_.clock().source()},
       request.issuer, reception.writer);
   }
-  answer_ = doubt ? MissionAnswer{request.request_id, request.issuer, false, doubt->detail}
-                  : mission_.request(request);
-  node_.log().info(
-    "request '{}' of '{}': {}", answer_->request_id, answer_->issuer,
-    answer_->accepted ? "accepted" : "refused: " + answer_->reason);
-  publish_status(node_.clock().now());
+  const MissionAnswer answer =
+    doubt ? MissionAnswer{request.request_id, request.issuer, false, doubt->detail}
+          : mission_.request(request);
+  if (!answer.waits) {
+    tell_answer(answer, node_.clock().now());
+  } else if (!repeated) {
+    tell_localizer(message);
+  }
   return doubt;
+}
+
+void SupervisorNode::Parts::tell_answer(const MissionAnswer & answer, Time now)
+{
+  answer_ = answer;
+  node_.log().info(
+    "request '{}' of '{}': {}", answer.request_id, answer.issuer,
+    answer.accepted ? "accepted" : "refused: " + answer.reason);
+  publish_status(now);
+}
+
+// Stamped as the localizer's last pose: its clock has certainly come that far, ours may be ahead.
+void SupervisorNode::Parts::tell_localizer(const stetro_msgs::msg::MissionRequest & message)
+{
+  const Time now = node_.clock().now();
+  const bool recent = seen_.pose && now - seen_.pose->time < kRecentPose;
+  initialpose_.publish(told_to_localizer(message, recent ? seen_.pose->time : now));
+  relocalised_ = "waits for the localizer";
+  node_.log().info(
+    "request '{}' of '{}': the localizer is told its pose", message.request_id().c_str(),
+    message.issuer().to_string());
 }
 
 void SupervisorNode::Parts::tick(Time now)
 {
   command(climb_.tick(now, seen_), now);
   store_.keep(climb_);
+  if (const auto settled = mission_.settle()) {
+    relocalised_ = settled->accepted ? "taken by the localizer" : settled->reason;
+    tell_answer(*settled, now);
+  }
   const auto & transition = climb_.transition();
   if (transition) {
     const auto level = transition->to == State::kFault ? spdlog::level::err : spdlog::level::info;
@@ -265,6 +296,7 @@ void SupervisorNode::Parts::report(stetro_dds::DiagnosticReport & report) const
   report.value("state", to_string(status.state));
   report.value("step", static_cast<std::int64_t>(status.step));
   report.value("driver restarts", driver_epoch_ - 1);
+  report.value("last relocalisation", relocalised_);
   if (status.mission == MissionState::kFault) {
     report.summarise(Health::kError, std::string(to_string(status.fault)) + ": " + status.detail);
   } else if (status.mission == MissionState::kHeld) {

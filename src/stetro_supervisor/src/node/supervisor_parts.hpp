@@ -51,6 +51,8 @@ private:
   void tick(Time now);
   void command(const MotionCommand & command, Time now);
   void publish_status(Time now);
+  void tell_answer(const MissionAnswer & answer, Time now);
+  void tell_localizer(const stetro_msgs::msg::MissionRequest & message);
   void publish_fleet(Time now);
   void report(stetro_dds::DiagnosticReport & report) const;
   void notice_writer(const stetro_dds::Guid & writer);
@@ -79,6 +81,7 @@ private:
   std::uint64_t sequence_ = 0;
   std::uint64_t fleet_sequence_ = 0;
   std::optional<MissionAnswer> answer_;
+  std::string relocalised_ = "none";               ///< what became of the last pose told
   std::optional<stetro_dds::Guid> driver_writer_;  ///< of the streams: changes with its process
   std::uint64_t driver_told_ = 0;   ///< instance in its last command status; 0 not yet
   std::uint64_t driver_epoch_ = 1;  ///< counts its restarts
@@ -86,6 +89,7 @@ private:
 
   stetro_dds::Publisher<stetro_msgs::msg::Command> & command_;
   stetro_dds::Publisher<stetro_msgs::msg::MissionStatus> & status_;
+  stetro_dds::Publisher<geometry_msgs::msg::PoseWithCovarianceStamped> & initialpose_;
   stetro_dds::Publisher<rmf_fleet_msgs::msg::FleetState> & fleet_;
 };
 

@@ -111,6 +111,19 @@ protected:
     return false;
   }
 
+  /// A value of the task "mission" in the node's diagnostics.
+  std::string diagnosed(const std::string & key)
+  {
+    for (const auto & [task, report] : supervisor->node().diagnostics().reports()) {
+      for (const auto & [name, value] : report.values()) {
+        if (task == "mission" && name == key) {
+          return value;
+        }
+      }
+    }
+    return "";
+  }
+
   bool in_state(const std::string & state) { return wire->status && wire->state() == state; }
 
   const fs::path folder = fs::temp_directory_path() / ("supervisor_" + std::to_string(::getpid()));
@@ -223,6 +236,39 @@ TEST_F(SupervisorNodeTest, RefusesRequestsByTheirStampsAndSaysSo)
   wire->request("3", kind::KIND_PAUSE);
   EXPECT_NE(refusal("3").find("before"), std::string::npos);
   EXPECT_EQ(wire->status->mission(), says::MISSION_RUNNING);
+}
+
+TEST_F(SupervisorNodeTest, TellsTheLocalizerAndAnswersWhenItHasFollowed)
+{
+  namespace says = stetro_msgs::msg::MissionStatus_Constants;
+  run_until(0.2, [] { return false; });
+  const auto answered = [&](const char * id) {
+    return run_until(3.0, [&] { return wire->status->request_id() == id; });
+  };
+  wire->relocalise("a", 1);  // it stands before the first riser
+  ASSERT_TRUE(answered("a"));
+  EXPECT_EQ(wire->status->answer(), says::ANSWER_REFUSED);
+  const std::string reason = wire->status->answer_reason().c_str();
+  EXPECT_NE(reason.find("step 1, but x -0.600 m"), std::string::npos) << reason;
+  EXPECT_FALSE(wire->told) << "it does not reach the localizer";
+
+  wire->relocalise("b", 0);
+  ASSERT_TRUE(answered("b"));
+  EXPECT_EQ(wire->status->answer(), says::ANSWER_ACCEPTED) << wire->status->answer_reason().c_str();
+  ASSERT_TRUE(wire->told);
+  EXPECT_STREQ(wire->told->header().frame_id().c_str(), "flight");
+  EXPECT_LE(stetro_dds::time_of(wire->told->header().stamp()), robot.now);
+  EXPECT_EQ(wire->told->pose().pose().position().x(), robot.x_m);
+  EXPECT_EQ(wire->told->pose().covariance()[7], 0.0025);
+  EXPECT_EQ(diagnosed("last relocalisation"), "taken by the localizer");
+
+  wire->localizer_takes = false;
+  wire->relocalise("c", -1);
+  EXPECT_FALSE(run_until(1.8, [&] { return wire->status->request_id() == "c"; }));
+  EXPECT_EQ(diagnosed("last relocalisation"), "waits for the localizer");
+  ASSERT_TRUE(answered("c"));
+  EXPECT_EQ(wire->status->answer(), says::ANSWER_REFUSED);
+  EXPECT_EQ(diagnosed("last relocalisation"), wire->status->answer_reason().c_str());
 }
 
 TEST_F(SupervisorNodeTest, AnUnknownFlightStartsNothing)

@@ -42,6 +42,20 @@ ClimbGeometry stairs(int steps)
   return geometry;
 }
 
+stetro_site::Flight flight_of(const ClimbGeometry & geometry)
+{
+  stetro_site::FlightSpec spec;
+  spec.id = geometry.segment_id;
+  for (std::size_t i = 0; i < geometry.riser_m.size(); ++i) {
+    spec.steps.push_back({geometry.riser_m[i], geometry.tread_m[i]});
+  }
+  spec.width_foot_m = geometry.width_m;
+  spec.width_top_m = geometry.width_m + geometry.widening_m;
+  spec.lower_floor = "ground";
+  spec.pose_in_map.x_m = 10.0;
+  return stetro_site::Flight(spec);
+}
+
 ToyRobot::ToyRobot(ClimbGeometry geometry) : geometry_(std::move(geometry)) {}
 
 double ToyRobot::surface_m(double x) const
@@ -256,8 +270,8 @@ Observation ToyRobot::look() const
   o.blocks = blocks();
   o.odometry = odometry_;
   o.odometry->time = now;
-  o.pose =
-    StairPose{now, geometry_.segment_id, true, counted_step, y_m, heading_rad, Integrity::kOk, 0};
+  o.pose = StairPose{now,         geometry_.segment_id, true, counted_step, y_m,
+                     heading_rad, Integrity::kOk,       0,    resets};
   o.driver_instance = driver_instance;
   if (meddle) {
     meddle(o);

@@ -18,6 +18,7 @@
 #include <functional>
 #include <string>
 
+#include "stetro_site/flight.hpp"
 #include "stetro_supervisor/climb.hpp"
 
 namespace stetro_supervisor
@@ -52,6 +53,7 @@ public:
   bool pivots = true;
   bool spins = false;  ///< wheels turn on against a riser, and odometry with them
   double turn_disturbance_rps = 0.0;
+  std::uint32_t resets = 0;  ///< jumps of the localizer
   std::uint64_t driver_instance = 7;
   std::function<void(Observation &)> meddle;  ///< changes what is seen, last
 
@@ -78,6 +80,9 @@ private:
 
 /// The stairs of the papers, with few steps.
 ClimbGeometry stairs(int steps);
+
+/// The same stairs as the site has them; at their foot the floor `ground`.
+stetro_site::Flight flight_of(const ClimbGeometry & geometry);
 
 /// Ticks a climb around the robot until a condition holds; false if it does not within `limit_s`.
 bool run_until(

@@ -118,6 +118,12 @@ ToyWire::ToyWire(stetro_dds::Context & context, ToyRobot & robot)
   node_.subscribe<stetro_msgs::msg::MissionStatus>(
     "mission_status", qos::kLatched,
     [this](const stetro_msgs::msg::MissionStatus & m) { status = m; });
+  node_.subscribe<geometry_msgs::msg::PoseWithCovarianceStamped>(
+    "initialpose", qos::kCorrection,
+    [this](const geometry_msgs::msg::PoseWithCovarianceStamped & m) {
+      told = m;
+      robot_.resets += localizer_takes ? 1 : 0;
+    });
   node_.subscribe<rmf_fleet_msgs::msg::FleetState>(
     "/fleet_states", qos::kFleetState,
     [this](const rmf_fleet_msgs::msg::FleetState & m) { fleet = m; });
@@ -213,6 +219,7 @@ void ToyWire::publish_pose(const Observation & seen)
   message.pose().pose().position().z(robot_.z_m[1]);
   message.pose().pose().orientation(turned(robot_.heading_rad));
   message.integrity(wire::INTEGRITY_OK);
+  message.reset_counter(seen.pose->resets);
   pose_.publish(message);
 }
 
@@ -223,6 +230,24 @@ void ToyWire::act(bool moves)
   for (int i = 0; i < 5; ++i) {
     robot_.act(command, 0.01);
   }
+}
+
+void ToyWire::relocalise(const std::string & id, int step)
+{
+  stetro_msgs::msg::MissionRequest message;
+  message.header().stamp(stetro_dds::stamp_of(request_stamp.value_or(robot_.now)));
+  message.header().frame_id("flight");
+  message.request_id(id);
+  message.issuer("operator");
+  message.kind(stetro_msgs::msg::MissionRequest_Constants::KIND_RELOCALISE);
+  message.segment_id("flight");
+  message.pose().pose().position().x(robot_.x_m);
+  message.pose().pose().position().y(robot_.y_m);
+  message.pose().pose().position().z(robot_.z_m[1]);
+  message.pose().pose().orientation(turned(robot_.heading_rad));
+  message.pose().covariance()[7] = 0.0025;
+  message.step(step);
+  mission_.publish(message);
 }
 
 void ToyWire::request(const std::string & id, std::uint8_t kind, const std::string & segment)

@@ -27,6 +27,7 @@
 #include "stetro_msgs/MissionRequest.hpp"
 #include "stetro_msgs/MissionStatus.hpp"
 #include "stetro_msgs/Odometry.hpp"
+#include "stetro_msgs/PoseWithCovarianceStamped.hpp"
 #include "stetro_msgs/RangeArray.hpp"
 #include "stetro_msgs/StairPose.hpp"
 #include "support/toy_robot.hpp"
@@ -49,10 +50,14 @@ public:
   /// Executes the last command for 50 ms, if it came since the last call and `moves`.
   void act(bool moves);
   void request(const std::string & id, std::uint8_t kind, const std::string & segment = "");
+  /// Tells that the robot stands where it does, but for the step.
+  void relocalise(const std::string & id, int step);
   std::string state() const { return status ? status->state().c_str() : "(no status)"; }
 
   std::optional<stetro_msgs::msg::MissionStatus> status;
   std::optional<rmf_fleet_msgs::msg::FleetState> fleet;
+  std::optional<geometry_msgs::msg::PoseWithCovarianceStamped> told;  ///< on initialpose
+  bool localizer_takes = true;                                        ///< what it is told
   std::uint64_t driver_instance = 7;
   bool silent = false;                ///< the driver says nothing more
   std::optional<Time> request_stamp;  ///< of the operator's clock, if it is not the robot's
