@@ -62,6 +62,8 @@ public:
 
 private:
   [[nodiscard]] Verdict take(Source input, const Sample & sample, Nanoseconds now, Refusal fault);
+  [[nodiscard]] Refusal fault_of_stamp(Nanoseconds stamp, Nanoseconds now) const;
+  [[nodiscard]] RangeSample new_readings(const RangeSample & sample);
   void refresh(ResetCause cause = ResetCause::kNone);
   [[nodiscard]] ResetCause jumped(std::optional<int> step_before);
   void refresh_position();
@@ -80,6 +82,7 @@ private:
   SourceReports reports_;
   StairEstimate estimate_;
   std::array<Nanoseconds, stetro_site::kPlaces.size()> last_reading_{};
+  Nanoseconds last_array_{0};
   bool silent_ = false;
   std::uint32_t begin_reasons_ = 0;  // what the state file left to say
   std::uint32_t jumps_counted_ = 0;  // of the core, in the reset counter

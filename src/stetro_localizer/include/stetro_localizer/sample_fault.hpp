@@ -36,6 +36,18 @@ namespace stetro_localizer
   return finite ? Refusal::kNone : Refusal::kNotFinite;
 }
 
+/// A reading that calls itself valid must be a distance.
+[[nodiscard]] inline Refusal fault_of(const RangeReading & reading)
+{
+  if (reading.status != RangeStatus::kValid) {
+    return Refusal::kNone;
+  }
+  if (!std::isfinite(reading.range_m)) {
+    return Refusal::kNotFinite;
+  }
+  return reading.range_m < 0.0 ? Refusal::kNegative : Refusal::kNone;
+}
+
 /// A block that reports its own fault says nothing by its height.
 [[nodiscard]] inline Refusal fault_of(const BlockSample & sample)
 {

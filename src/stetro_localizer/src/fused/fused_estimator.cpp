@@ -41,18 +41,20 @@ FusedEstimator::FusedEstimator(
 {
 }
 
+Refusal FusedEstimator::fault_of_stamp(Nanoseconds stamp, Nanoseconds now) const
+{
+  if (stamp <= Nanoseconds{0}) {
+    return Refusal::kZeroStamp;
+  }
+  if (stamp - now > nanoseconds(params_.future_tolerance_s)) {
+    return Refusal::kFuture;
+  }
+  return now - stamp > nanoseconds(params_.max_sample_age_s) ? Refusal::kTooOld : Refusal::kNone;
+}
+
 Verdict FusedEstimator::take(Source input, const Sample & sample, Nanoseconds now, Refusal fault)
 {
-  const Nanoseconds stamp = stamp_of(sample);
-  if (fault == Refusal::kNone && stamp <= Nanoseconds{0}) {
-    fault = Refusal::kZeroStamp;
-  }
-  if (fault == Refusal::kNone && stamp - now > nanoseconds(params_.future_tolerance_s)) {
-    fault = Refusal::kFuture;
-  }
-  if (fault == Refusal::kNone && now - stamp > nanoseconds(params_.max_sample_age_s)) {
-    fault = Refusal::kTooOld;
-  }
+  fault = fault == Refusal::kNone ? fault_of_stamp(stamp_of(sample), now) : fault;
   Verdict verdict{Outcome::kFused, Refusal::kNone};
   if (fault != Refusal::kNone) {
     verdict = Verdict::refused(fault);
@@ -96,13 +98,14 @@ Verdict FusedEstimator::add_blocks(const BlockSample & sample, Nanoseconds now)
 // Every reading counts at its own time: those of one time make one sample of the filter.
 Verdict FusedEstimator::add_ranges(const RangeSample & sample, Nanoseconds now)
 {
-  RangeSample rest = sample;
-  for (std::size_t i = 0; i < rest.readings.size(); ++i) {
-    RangeReading & reading = rest.readings[i];
-    const bool repeated = reading.stamp == last_reading_[i];
-    last_reading_[i] = reading.status == RangeStatus::kAbsent ? last_reading_[i] : reading.stamp;
-    reading.status = repeated ? RangeStatus::kAbsent : reading.status;
+  Refusal fault = fault_of_stamp(sample.stamp, now);
+  fault = sample.stamp == last_array_ ? Refusal::kOutOfOrder : fault;
+  if (fault != Refusal::kNone) {
+    reports_[Source::kRanges].note(Verdict::refused(fault));
+    return Verdict::refused(fault);
   }
+  last_array_ = sample.stamp;
+  RangeSample rest = new_readings(sample);
   Verdict verdict{Outcome::kNotVisible, Refusal::kNone};
   for (;;) {
     RangeSample one;
@@ -124,9 +127,33 @@ Verdict FusedEstimator::add_ranges(const RangeSample & sample, Nanoseconds now)
   return verdict;
 }
 
+// Those that the array before has not brought already and that are readings at all.
+RangeSample FusedEstimator::new_readings(const RangeSample & sample)
+{
+  RangeSample fresh = sample;
+  for (std::size_t i = 0; i < fresh.readings.size(); ++i) {
+    RangeReading & reading = fresh.readings[i];
+    if (reading.status == RangeStatus::kAbsent) {
+      continue;
+    }
+    Refusal fault = reading.stamp == Nanoseconds{0} ? Refusal::kZeroStamp : Refusal::kNone;
+    fault = fault == Refusal::kNone ? fault_of(reading) : fault;
+    if (fault != Refusal::kNone) {
+      reports_[Source::kRanges].note(Verdict::refused(fault));
+    }
+    const bool repeated = reading.stamp == last_reading_[i];
+    last_reading_[i] = reading.stamp;
+    reading.status = repeated || fault != Refusal::kNone ? RangeStatus::kAbsent : reading.status;
+  }
+  return fresh;
+}
+
 void FusedEstimator::tick(Nanoseconds now)
 {
   silent_ = watch_.any_silent(now);
+  if (silent_) {
+    history_.look_ahead(now);
+  }
   refresh();
 }
 

@@ -76,7 +76,7 @@ std::uint32_t FusedEstimator::sensor_reasons() const
 {
   const FusedCore & core = history_.core();
   const FusedAlerts & alert = params_.fused.alerts;
-  std::uint32_t reasons = flag(silent_, kInputSilent);
+  std::uint32_t reasons = flag(silent_, kInputSilent) | flag(model_.gyro_stuck(core), kSensorStuck);
   for (const RangeMonitor & monitor : core.monitors) {
     reasons |= flag(monitor.dead(core.time, core.since, alert.dead_s), kSensorDead);
     reasons |= flag(monitor.stuck(), kSensorStuck);

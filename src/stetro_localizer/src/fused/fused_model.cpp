@@ -99,7 +99,7 @@ void FusedModel::advance(FusedCore & core, Nanoseconds time) const
   }
   // A silent gyroscope: the heading may turn unseen.
   ProcessNoise noise = params_.fused.process;
-  const bool seen = core.gyro_time != Nanoseconds{0} &&
+  const bool seen = core.gyro_time != Nanoseconds{0} && !gyro_stuck(core) &&
                     seconds(time - core.gyro_time) <= params_.gyro.longest_gap_s;
   if (!seen) {
     noise.turn = params_.gyro.gap_rate_radps;
@@ -150,8 +150,17 @@ void FusedModel::take_speed(FusedCore & core, int index, double counted_mps, boo
   filter.correct(expected, filter.innovation(expected, blocked ? 0.0 : counted_mps, variance));
 }
 
+// No two readings of a body in motion are the same for long: its noise is more than one digit.
+bool FusedModel::gyro_stuck(const FusedCore & core) const
+{
+  return seconds(core.gyro_time - core.gyro_lived_at) > params_.fused.alerts.stuck_s;
+}
+
 void FusedModel::take_one(FusedCore & core, const GyroSample & sample) const
 {
+  if (sample.rate_radps != core.rate_radps || !(core.rolling || core.blocks_moving)) {
+    core.gyro_lived_at = sample.stamp;
+  }
   core.rate_radps = sample.rate_radps;
   core.gyro_time = sample.stamp;
   advance(core, sample.stamp);

@@ -108,15 +108,19 @@ void FusedModel::take_riser_switch(FusedCore & core, Side side, const ContactSam
   closed_at = sample.stamp;
   take_suspected_slip(core, kStateX);
   const double tip_y_m = left ? robot_.switch_y_m : -robot_.switch_y_m;
-  use_contact(
+  const Outcome outcome = use_contact(
     core, Source::kRiserSwitches,
     expect_riser_switch(core.filter.state(), robot_.switch_x_m, tip_y_m), kStateX,
     squared(params_.fused.noise.riser_switch_m));
+  if (
+    outcome == Outcome::kFused && sample.riser_left.is_closed() && sample.riser_right.is_closed()) {
+    core.doubted[kStateYaw] = false;  // one alone tells x
+  }
 }
 
 // A contact is the surest of all measurements. Where it surprises, the estimate was wrong, unless
 // the surprise is beyond what a slip can do: then the robot has touched something else.
-void FusedModel::use_contact(
+Outcome FusedModel::use_contact(
   FusedCore & core, Source source, const Expectation & gap, int axis, double variance) const
 {
   const Innovation innovation = core.filter.innovation(gap, 0.0, variance);
@@ -124,12 +128,13 @@ void FusedModel::use_contact(
   if (innovation.nis() > gate_ && surprise_m2 < squared(params_.fused.contact_gate_m)) {
     explain_surprise(core, axis, surprise_m2);
   }
-  if (use(core, source, gap, 0.0, variance) == Outcome::kFused) {
+  const Outcome outcome = use(core, source, gap, 0.0, variance);
+  if (outcome == Outcome::kFused) {
     core.slips[axis].clear();  // it has been corrected
     core.doubted[axis] = false;
-    core.doubted[kStateYaw] = core.doubted[kStateYaw] && axis != kStateX;
     ++core.landmarks;
   }
+  return outcome;
 }
 
 void FusedModel::take_one(FusedCore & core, const BlockSample & sample) const

@@ -164,6 +164,16 @@ Corrects FusedModel::front_corrects(const FusedCore & core, double range_m) cons
   return holding(Corrects::all(), {Ranger::kFrontLeft, Ranger::kFrontRight});
 }
 
+// Clipped cones look past the edges of one riser alike, so that their difference is not far out:
+// good enough to begin with, and for no more than this, however often it is asked.
+Corrects FusedModel::clipped_corrects(const FusedCore & core, double shift_m2) const
+{
+  const double told = 2.0 * shift_m2 / squared(robot_.front_baseline_m());  // variance [rad^2]
+  return core.filter.variance(kStateYaw) < told
+           ? Corrects::only(kStateX)
+           : holding(Corrects::all(), {Ranger::kFrontLeft, Ranger::kFrontRight});
+}
+
 void FusedModel::take_front(
   FusedCore & core, const FrontRangeAiding & aiding, const RangeReading & reading) const
 {
@@ -207,7 +217,7 @@ void FusedModel::take_front(
   const double x_variance = core.filter.variance(kStateX);
   const Outcome outcome = use(
     core, left ? Source::kFrontLeft : Source::kFrontRight, expected, reading.range_m, variance,
-    clipped || beyond == 2 ? Corrects::only(kStateX) : front_corrects(core, reading.range_m));
+    clipped || beyond == 2 ? clipped_corrects(core, shift) : front_corrects(core, reading.range_m));
   if (!clipped) {
     note_slip(core, kStateX, -report.innovation, report, x_variance);
   }

@@ -29,6 +29,7 @@ constexpr Nanoseconds kNoSlipBehind = std::chrono::seconds(1);  // at a stand: i
 constexpr double kMostlyNoise = 3.0;  // an innovation's variance in that of the reading
 
 constexpr double kExplained = 2.5;  // standard deviations of what both ranges have in common
+constexpr double kSure = 2.0;       // standard deviations of a shift at a stand
 constexpr double kJust = 0.2;       // a range so young vouches for the estimate [s]
 
 constexpr RangerPair kSidePair{{
@@ -59,7 +60,9 @@ void FusedModel::note_slip(
   const bool known = filter.variance(axis) < squared(params_.fused.priors.range_offset_m / 2.0);
   lately_m += known ? slip->shift_m : 0.0;
   const bool standing = core.time - core.rolled_at > kNoSlipBehind;
-  const double most_m = params_.fused.most_slip_m / (standing ? 2.0 : 1.0);
+  const double most_m = standing
+                          ? params_.fused.most_slip_m / 2.0 + kSure * std::sqrt(slip->variance_m2)
+                          : params_.fused.most_slip_m;
   if (std::abs(lately_m) > most_m) {
     doubt(core, axis, lately_m);
     lately_m = 0.0;
@@ -150,6 +153,7 @@ std::optional<Slip> FusedModel::watch_pair(
 
 void FusedModel::doubt_heading(FusedCore & core, double difference_m) const
 {
+  difference_m = doubtful_m(difference_m);
   core.doubted[kStateYaw] = true;
   core.filter.inflate(kStateYaw, squared(difference_m / robot_.front_baseline_m()));
   core.filter.inflate(kStateGyroBias, squared(params_.gyro.bias_sigma_radps));
@@ -160,9 +164,17 @@ void FusedModel::doubt_heading(FusedCore & core, double difference_m) const
 // robot. Either may be true until the next contact.
 void FusedModel::doubt(FusedCore & core, int axis, double shift_m) const
 {
+  shift_m = doubtful_m(shift_m);
   core.doubted[axis] = true;
   core.filter.inflate(axis, squared(shift_m));
   doubt_pair(core, axis == kStateX ? kFrontPair : kSidePair, shift_m);
+}
+
+// The filter has followed a part of what shifts it before that is found: how far a sensor is out is
+// no better known than how far it may be.
+double FusedModel::doubtful_m(double shift_m) const
+{
+  return std::max(std::abs(shift_m), params_.fused.alerts.offset_m);
 }
 
 void FusedModel::doubt_pair(FusedCore & core, const RangerPair & pair, double shift_m) const

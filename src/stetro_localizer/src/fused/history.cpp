@@ -45,6 +45,7 @@ History::Entry & History::entry(std::size_t age_order)
 
 History::Taken History::take(const Sample & sample)
 {
+  ahead_.reset();
   const Nanoseconds stamp = stamp_of(sample);
   if (stamp <= forgotten_) {
     return Taken::kStale;
@@ -92,10 +93,17 @@ void History::forget_old(Nanoseconds newest)
   }
 }
 
+void History::look_ahead(Nanoseconds time)
+{
+  ahead_ = core_;
+  model_->advance(*ahead_, time);
+}
+
 void History::restart(const FusedCore & core)
 {
   forgotten_ = count_ > 0 ? std::max(forgotten_, stamp_of(entry(count_ - 1).sample)) : forgotten_;
   core_ = core;
+  ahead_.reset();
   first_ = 0;
   count_ = 0;
 }

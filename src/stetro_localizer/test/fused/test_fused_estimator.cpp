@@ -130,6 +130,60 @@ TEST(FusedEstimator, BadSamplesChangeNothing)
   EXPECT_EQ(rig.estimator.reports()[Source::kGyro].refused_total(), 4u);
 }
 
+TEST(FusedEstimator, BadRangesAreRefusedAndCounted)
+{
+  Rig rig(3);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const Nanoseconds now = rig.robot.now + milliseconds(5);
+  const double y_m = rig.estimate().pose.y_m;
+  const auto refusal_of = [&](Nanoseconds stamp) {
+    RangeSample ranges = rig.robot.ranges();
+    ranges.stamp = stamp;
+    return rig.estimator.add_ranges(ranges, now).refusal;
+  };
+  EXPECT_EQ(refusal_of(Nanoseconds{0}), Refusal::kZeroStamp);
+  EXPECT_EQ(refusal_of(now + std::chrono::seconds(1)), Refusal::kFuture);
+  EXPECT_EQ(refusal_of(now - std::chrono::seconds(1)), Refusal::kTooOld);
+  EXPECT_EQ(rig.estimator.reports()[Source::kRanges].refused_total(), 3u);
+
+  RangeSample none = rig.robot.ranges();
+  none.stamp = now;
+  for (RangeReading & reading : none.readings) {
+    reading = {now, 0.0, 0.0, RangeStatus::kAbsent};
+  }
+  none[Place::kSideLeft] = {now, nan, 0.0, RangeStatus::kValid};
+  none[Place::kSideRight] = {now, -0.2, 0.0, RangeStatus::kValid};
+  none[Place::kFrontLeft] = {Nanoseconds{0}, 0.3, 0.0, RangeStatus::kValid};
+  (void)rig.estimator.add_ranges(none, now);
+  const SourceReport & report = rig.estimator.reports()[Source::kRanges];
+  EXPECT_EQ(report.refused[static_cast<std::size_t>(Refusal::kNotFinite)], 1u);
+  EXPECT_EQ(report.refused[static_cast<std::size_t>(Refusal::kNegative)], 1u);
+  EXPECT_EQ(report.refused[static_cast<std::size_t>(Refusal::kZeroStamp)], 2u);
+  EXPECT_EQ(rig.estimator.add_ranges(none, now).refusal, Refusal::kOutOfOrder) << "twice the same";
+  EXPECT_EQ(rig.estimate().pose.y_m, y_m);
+}
+
+// The motion goes on as it was, and the doubt with it; the next sample knows better.
+TEST(FusedEstimator, PredictsWhenItsInputsAreSilent)
+{
+  Rig rig(3, uncalibrated());
+  rig.robot.drive(0.0, 0.1, 0.0, 2.0);
+  const StairEstimate before = rig.estimate();
+  const double y_error_m = rig.y_error_m();
+  ASSERT_EQ(before.integrity, Integrity::kOk) << reason_names(before.reasons);
+  const Nanoseconds later = rig.robot.now + milliseconds(600);
+  rig.estimator.tick(later);
+  EXPECT_EQ(rig.estimate().stamp, later);
+  EXPECT_TRUE(rig.estimate().reasons & kInputSilent);
+  EXPECT_NEAR(rig.estimate().pose.y_m - before.pose.y_m, 0.05, 0.005) << "for silence_s at most";
+  EXPECT_GT(rig.estimate().covariance(1, 1), before.covariance(1, 1));
+  rig.robot.now = later;
+  rig.robot.rest(0.3);
+  rig.estimator.tick(rig.robot.now);
+  EXPECT_FALSE(rig.estimate().reasons & kInputSilent);
+  EXPECT_NEAR(rig.y_error_m(), y_error_m, 0.01);
+}
+
 TEST(FusedEstimator, KeepsStepAndCalibrationOverARestart)
 {
   Rig rig(3, uncalibrated());

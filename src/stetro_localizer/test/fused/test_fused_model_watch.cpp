@@ -94,6 +94,33 @@ TEST(FusedModelWatch, DoubtsTheHeadingWhereTheFrontPairTurnsAlone)
   EXPECT_GT(robot.core.filter.variance(kStateYaw), 0.02 * 0.02);
 }
 
+// Readings 10 ms apart: 0.5 s of the same reading while the wheels turn.
+TEST(FusedModelWatch, AGyroscopeThatRepeatsItselfInMotionIsStuck)
+{
+  StandingRobot robot;
+  const auto read = [&robot](double rate_radps, double vy_mps) {
+    const Nanoseconds stamp = robot.core.time + std::chrono::milliseconds(10);
+    robot.take(OdometrySample{stamp, 0.0, vy_mps, 0.0});
+    robot.take(GyroSample{stamp, rate_radps});
+  };
+  for (int i = 0; i < 100; ++i) {
+    read(0.001, 0.0);
+  }
+  EXPECT_FALSE(robot.stuck_gyro()) << "at a stand some say the same for long";
+  for (int i = 0; i < 50; ++i) {
+    read(0.001, 0.1);
+  }
+  EXPECT_FALSE(robot.stuck_gyro());
+  const double variance = robot.core.filter.variance(kStateYaw);
+  for (int i = 0; i < 10; ++i) {
+    read(0.001, 0.1);
+  }
+  EXPECT_TRUE(robot.stuck_gyro());
+  EXPECT_GT(robot.core.filter.variance(kStateYaw), variance + 1e-4) << "it may turn unseen";
+  read(0.0011, 0.1);
+  EXPECT_FALSE(robot.stuck_gyro());
+}
+
 // One reading knows 4.3 mm: with 1 mm of doubt in y the filter by itself would follow in some 20.
 TEST(FusedModelWatch, FollowsASlip)
 {

@@ -67,6 +67,7 @@ protected:
     params_.robot_file = (folder_ / "robot.yaml").string();
     params_.state_file = (folder_ / "state").string();
     params_.initial_step = 3;
+    params_.estimator = "paper";  // exact where the sensors are
     std::ofstream{params_.site_file} << kSite;
     std::ofstream{params_.robot_file} << stetro_config::to_yaml(stetro_site::Robot{});
     listen();

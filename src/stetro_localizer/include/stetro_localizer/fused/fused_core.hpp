@@ -55,11 +55,12 @@ struct FusedCore
   }
 
   ErrorStateFilter filter;
-  StepFilter steps;          // refers to the model's StepModel
-  Nanoseconds time{0};       ///< the filter's state is for this; zero before the first sample
-  Nanoseconds gyro_time{0};  ///< of the last gyroscope sample
-  double rate_radps = 0.0;   ///< it
-  bool rolling = false;      ///< the wheels turn
+  StepFilter steps;              // refers to the model's StepModel
+  Nanoseconds time{0};           ///< the filter's state is for this; zero before the first sample
+  Nanoseconds gyro_time{0};      ///< of the last gyroscope sample
+  double rate_radps = 0.0;       ///< it
+  Nanoseconds gyro_lived_at{0};  ///< its reading changed last, or the robot was not in motion
+  bool rolling = false;          ///< the wheels turn
   Standstill standstill;
   bool blocks_moving = false;
   ContactSample contacts;                                 ///< the last one

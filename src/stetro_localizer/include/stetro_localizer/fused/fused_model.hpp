@@ -63,6 +63,9 @@ public:
   /// Lets the motion go on as it was until `time`; earlier times change nothing.
   void advance(FusedCore & core, Nanoseconds time) const;
 
+  /// The gyroscope says the same again and again while the robot moves.
+  [[nodiscard]] bool gyro_stuck(const FusedCore & core) const;
+
   /// Makes the core believe that it stands on `step`; x becomes unknown within the tread.
   void locate(FusedCore & core, int step) const;
 
@@ -82,7 +85,7 @@ private:
   void take_block3_front(FusedCore & core, const RangeReading & reading) const;
   [[nodiscard]] std::optional<SeenRiser> block3_sees(const FusedCore & core, double range_m) const;
   void note_closure(FusedCore & core, bool left, double gap_m) const;
-  void use_contact(
+  Outcome use_contact(
     FusedCore & core, Source source, const Expectation & gap, int axis, double variance) const;
   [[nodiscard]] StepEvidence step_evidence(const FusedCore & core, Nanoseconds time) const;
   [[nodiscard]] std::optional<double> front_m(const FusedCore & core, Nanoseconds time) const;
@@ -94,6 +97,7 @@ private:
   void explain_surprise(FusedCore & core, int axis, double surprise_m2) const;
   void doubt(FusedCore & core, int axis, double shift_m) const;
   void doubt_heading(FusedCore & core, double difference_m) const;
+  [[nodiscard]] double doubtful_m(double shift_m) const;
   void doubt_pair(FusedCore & core, const RangerPair & pair, double shift_m) const;
   void watch_pairs(FusedCore & core, const RangeSample & sample) const;
   std::optional<Slip> watch_pair(
@@ -108,6 +112,7 @@ private:
   [[nodiscard]] double range_variance_m2(double range_m) const;
   [[nodiscard]] Corrects side_corrects(const FusedCore & core) const;
   [[nodiscard]] Corrects front_corrects(const FusedCore & core, double range_m) const;
+  [[nodiscard]] Corrects clipped_corrects(const FusedCore & core, double shift_m2) const;
   [[nodiscard]] bool wall_fills_cone(const FusedCore & core, double range_m) const;
   [[nodiscard]] bool sees_side_wall(
     const FusedCore & core, stetro_site::Place place, double range_m) const;

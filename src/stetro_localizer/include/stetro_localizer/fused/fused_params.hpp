@@ -59,6 +59,7 @@ struct FusedAlerts
   double unnoticed_slip_m = 0.004;  ///< of it no measurement tells yet [m]
   double unseen_slip_m = 0.02;      ///< the same where nothing is in sight that could tell [m]
   double dead_s = 0.5;              ///< a sensor is silent for so long [s]
+  double stuck_s = 0.5;             ///< the gyroscope is stuck after so long [s]
   double offset_m = 0.05;           ///< an offset beyond this is not trusted [m]
   double gain = 0.15;               ///< nor is such a gain [-]
   std::int64_t reject_streak = 15;  ///< gated in a row: a sensor contradicts the others
@@ -129,6 +130,9 @@ void visit(FusedParams & p, Visitor && each)
     "alerts.unseen_slip_m", alert.unseen_slip_m, Within{0.0, 0.2},
     "a whole slip, where nothing in sight could tell [m]");
   each("alerts.dead_s", alert.dead_s, Within{0.05, 10.0}, "a silent sensor is dead after [s]");
+  each(
+    "alerts.stuck_s", alert.stuck_s, Within{0.05, 10.0},
+    "the gyroscope repeats itself in motion: stuck after [s]");
   each("alerts.offset_m", alert.offset_m, Within{0.001, 0.5}, "larger offset is not trusted [m]");
   each("alerts.gain", alert.gain, Within{0.001, 1.0}, "larger gain error is not trusted [-]");
   each(

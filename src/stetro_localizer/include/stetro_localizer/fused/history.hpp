@@ -16,6 +16,7 @@
 #define STETRO_LOCALIZER__FUSED__HISTORY_HPP_
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "stetro_localizer/fused/fused_model.hpp"
@@ -45,7 +46,11 @@ public:
   /// Takes a sample at its place in time.
   Taken take(const Sample & sample);
 
-  [[nodiscard]] const FusedCore & core() const { return core_; }
+  /// Where the samples have led, or where the motion goes on from there after `look_ahead`.
+  [[nodiscard]] const FusedCore & core() const { return ahead_ ? *ahead_ : core_; }
+
+  /// Lets the motion go on as it was until `time`, for want of samples; the next one takes it back.
+  void look_ahead(Nanoseconds time);
 
   /// Goes on from another core; what was kept cannot be taken again.
   void restart(const FusedCore & core);
@@ -62,6 +67,7 @@ private:
 
   const FusedModel * model_;
   FusedCore core_;
+  std::optional<FusedCore> ahead_;
   Nanoseconds window_;
   std::vector<Entry> ring_;
   std::size_t first_ = 0;
