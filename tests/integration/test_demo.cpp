@@ -43,6 +43,9 @@ TEST_P(DemoSeed, ClimbsToStep16WithoutFault)
   const bool fused = estimator == "fused";
   EXPECT_LT(summary["y_rmse_m"], fused ? 0.015 : 0.05) << "a climb that arrives by luck";
   EXPECT_LT(summary["heading_rmse_rad"], fused ? 0.01 : 0.035);
+  const auto & staircase = summary["staircase_as_built"];
+  EXPECT_EQ(staircase["treads_measured"], fused ? 15 : 0) << "the last one ends at no riser";
+  EXPECT_TRUE(staircase["deviations"].empty()) << staircase["deviations"];
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -59,6 +62,7 @@ TEST(DemoOverDds, LeavesWhatTheReadmeSays)
   EXPECT_EQ(summary["final_step"], 16);
   EXPECT_EQ(summary["estimator"], "fused");
   EXPECT_EQ(summary["seed"], 2011);
+  EXPECT_EQ(summary["staircase_as_built"]["steps"].size(), 16u) << "told over the wire";
   const std::string steps = demo.file("steps.csv");
   EXPECT_EQ(std::count(steps.begin(), steps.end(), '\n'), 17) << "a header and a row a step\n"
                                                               << steps;

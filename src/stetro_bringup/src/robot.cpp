@@ -49,6 +49,14 @@ void Robot::step()
   executor_.drain();
 }
 
+void Robot::tell_diagnostics()
+{
+  for (stetro_dds::Node * node : {&driver_.node(), &localizer_.node(), &supervisor_.node()}) {
+    node->diagnostics().publish();
+  }
+  executor_.drain();
+}
+
 void Robot::run(const std::function<bool()> & stop)
 {
   driver_.run(executor_, stop);

@@ -31,6 +31,56 @@ nlohmann::ordered_json known(double value)
   return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
 }
 
+nlohmann::ordered_json staircase_json(const StaircaseFound & staircase)
+{
+  auto steps = nlohmann::ordered_json::array();
+  for (const StepFound & one : staircase.steps) {
+    steps.push_back(
+      {{"step", one.step},
+       {"tread_m", known(one.tread_m)},
+       {"tread_sigma_m", known(one.tread_sigma_m)},
+       {"width_m", known(one.width_m)},
+       {"width_sigma_m", known(one.width_sigma_m)}});
+  }
+  auto deviations = nlohmann::ordered_json::array();
+  for (const StepDeviation & one : staircase.deviations) {
+    deviations.push_back(
+      {{"step", one.step},
+       {"measure", one.measure},
+       {"found_m", known(one.found_m)},
+       {"sigma_m", known(one.sigma_m)},
+       {"site_m", known(one.site_m)}});
+  }
+  return {
+    {"treads_measured", staircase.treads_measured()},
+    {"largest_deviation_m", known(staircase.largest_deviation_m)},
+    {"largest_deviation_of", staircase.largest_deviation_of},
+    {"steps", steps},
+    {"deviations", deviations}};
+}
+
+void print_staircase(std::ostream & out, const StaircaseFound & staircase)
+{
+  if (staircase.steps.empty()) {
+    return;  // the papers measure none
+  }
+  std::array<char, 160> text{};
+  std::snprintf(
+    text.data(), text.size(),
+    "  staircase     %6zu treads measured, largest deviation %.1f mm (%s)",
+    staircase.treads_measured(), 1000.0 * staircase.largest_deviation_m,
+    staircase.largest_deviation_of.c_str());
+  out << text.data() << (staircase.deviations.empty() ? "; as the site file says\n" : "\n");
+  for (const StepDeviation & one : staircase.deviations) {
+    std::snprintf(
+      text.data(), text.size(),
+      "  WARNING       %s of step %d is %.1f mm (sigma %.1f mm), the site file says %.1f mm\n",
+      one.measure.c_str(), one.step, 1000.0 * one.found_m, 1000.0 * one.sigma_m,
+      1000.0 * one.site_m);
+    out << text.data();
+  }
+}
+
 }  // namespace
 
 std::string summary_json(const ClimbOutcome & outcome, const ClimbErrors & errors)
@@ -54,6 +104,7 @@ std::string summary_json(const ClimbOutcome & outcome, const ClimbErrors & error
   summary["heading_max_error_rad"] = known(errors.heading_error_rad.max_abs());
   summary["closure_error_mean_m"] = known(errors.closure_error_m.mean());
   summary["closure_error_std_m"] = known(errors.closure_error_m.standard_deviation());
+  summary["staircase_as_built"] = staircase_json(outcome.staircase);
   summary["estimates_on_wrong_step"] = errors.wrong_step;
   summary["simulated_time_s"] = known(outcome.simulated_time_s);
   summary["wall_time_s"] = known(outcome.wall_time_s);
@@ -88,6 +139,7 @@ void print_summary(std::ostream & out, const ClimbOutcome & outcome, const Climb
   line(
     "  closure       %6.2f cm mean, %.2f cm deviation (S-B eq. (3))\n",
     100.0 * errors.closure_error_m.mean(), 100.0 * errors.closure_error_m.standard_deviation());
+  print_staircase(out, outcome.staircase);
   line(
     "  time          %6.0f s simulated in %.0f s\n", outcome.simulated_time_s, outcome.wall_time_s);
   for (const std::string & fault : outcome.faults) {

@@ -51,7 +51,7 @@ protected:
     now.in_sight = kBothSides;
     now.time = 1000'000ms;
     now.estimate.integrity = Integrity::kOk;
-    now.estimate.covariance.diagonal().setConstant(1e-4);
+    now.estimate.tread_covariance.diagonal().setConstant(1e-4);
     now.estimate.protection_along_m = 0.010;
     now.estimate.protection_across_m = 0.020;
     now.estimate.protection_heading_rad = 0.030;

@@ -13,8 +13,11 @@
 // limitations under the License.
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
+#include <cmath>
+#include <sstream>
+#include <string>
 
+#include "nlohmann/json.hpp"
 #include "stetro_bringup/summary.hpp"
 
 namespace stetro_bringup
@@ -33,6 +36,65 @@ TEST(Summary, HasTheKeysThatScriptsRead)
   }
   EXPECT_NEAR(summary["y_rmse_m"].get<double>(), 0.03, 1e-12);
   EXPECT_TRUE(summary["x_rmse_m"].is_null()) << "nothing was measured, so nothing is claimed";
+}
+
+StaircaseFound two_steps()
+{
+  StaircaseFound staircase;
+  staircase.steps = {
+    {1, 0.321, 0.001, 2.051, 0.002}, {2, std::nan(""), std::nan(""), 2.052, 0.002}};
+  staircase.largest_deviation_m = 0.002;
+  staircase.largest_deviation_of = "width of step 2";
+  return staircase;
+}
+
+std::string printed(const ClimbOutcome & outcome)
+{
+  std::ostringstream out;
+  print_summary(out, outcome, ClimbErrors{});
+  return out.str();
+}
+
+TEST(Summary, TellsTheStaircaseAsBuilt)
+{
+  ClimbOutcome outcome;
+  outcome.staircase = two_steps();
+  const auto json =
+    nlohmann::json::parse(summary_json(outcome, ClimbErrors{}))["staircase_as_built"];
+  EXPECT_EQ(json["treads_measured"], 1);
+  EXPECT_NEAR(json["largest_deviation_m"].get<double>(), 0.002, 1e-12);
+  ASSERT_EQ(json["steps"].size(), 2u);
+  EXPECT_NEAR(json["steps"][0]["tread_sigma_m"].get<double>(), 0.001, 1e-12);
+  EXPECT_TRUE(json["steps"][1]["tread_m"].is_null()) << "no riser ends the last tread";
+  EXPECT_TRUE(json["deviations"].empty());
+  EXPECT_NE(
+    printed(outcome).find("1 treads measured, largest deviation 2.0 mm (width of step 2); as the "
+                          "site file says"),
+    std::string::npos)
+    << printed(outcome);
+}
+
+TEST(Summary, WarnsOfAStepThatTheSiteFileHasWrong)
+{
+  ClimbOutcome outcome;
+  outcome.staircase = two_steps();
+  outcome.staircase.deviations = {{1, "tread", 0.361, 0.001, 0.32}};
+  const auto json = nlohmann::json::parse(summary_json(outcome, ClimbErrors{}));
+  const auto & one = json["staircase_as_built"]["deviations"][0];
+  EXPECT_EQ(one["step"], 1);
+  EXPECT_EQ(one["measure"], "tread");
+  EXPECT_NEAR(one["site_m"].get<double>(), 0.32, 1e-12);
+  const std::string text = printed(outcome);
+  EXPECT_NE(
+    text.find("tread of step 1 is 361.0 mm (sigma 1.0 mm), the site file says 320.0 mm"),
+    std::string::npos)
+    << text;
+  EXPECT_EQ(text.find("as the site file says"), std::string::npos);
+}
+
+TEST(Summary, HasNoStaircaseWhereNoneWasMeasured)
+{
+  EXPECT_EQ(printed(ClimbOutcome{}).find("staircase"), std::string::npos);
 }
 
 TEST(Summary, CountsAClimbOnlyOnTheLastStepTrustedAndWithoutFault)

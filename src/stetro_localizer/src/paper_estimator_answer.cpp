@@ -77,6 +77,9 @@ void PaperEstimator::refresh_covariance()
   covariance(4, 4) = squared(kTilt);
   covariance(5, 5) = view.yaw_variance;
   covariance(1, 5) = covariance(5, 1) = lateral_.slope_yaw() * view.yaw_variance;
+  // A whole tread of doubt in x: what the treads below differ is nothing beside it.
+  estimate_.tread_covariance = covariance;
+  estimate_.tread_covariance(2, 2) = squared(params_.rise_sigma_m);
 }
 
 void PaperEstimator::refresh_integrity()

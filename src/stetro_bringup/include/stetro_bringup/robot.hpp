@@ -63,6 +63,9 @@ public:
   /// One tick of the driver, and everything that follows from it.
   void step();
 
+  /// Has every node tell its diagnostics now, between two ticks, and whoever is here hear them.
+  void tell_diagnostics();
+
   /// Ticks at the driver's pace until `stop` says so, then leaves the robot standing.
   void run(const std::function<bool()> & stop);
 

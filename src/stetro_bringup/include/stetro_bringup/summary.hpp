@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "stetro_bringup/climb_report.hpp"
+#include "stetro_bringup/staircase_found.hpp"
 
 namespace stetro_bringup
 {
@@ -36,6 +37,7 @@ struct ClimbOutcome
   bool in_process = false;          ///< one process, or three over the loopback
   double wall_time_s = 0.0;         ///< of the whole run, discovery included
   double simulated_time_s = 0.0;    ///< the same on the robot's clock
+  StaircaseFound staircase;         ///< the last that the localizer said of it
   std::vector<std::string> faults;  ///< every fault the supervisor reported, in order
 };
 

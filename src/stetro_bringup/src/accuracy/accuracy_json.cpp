@@ -52,6 +52,22 @@ Json nees_json(const NeesTally & nees)
     {"unknown", nees.unknown}};
 }
 
+Json sigma_json(const SigmaTally & tally)
+{
+  return {
+    {"inside_95", known(tally.inside_95())},
+    {"mean_square", known(tally.mean_square())},
+    {"samples", tally.count()}};
+}
+
+Json measure_json(const MeasureTotals & totals)
+{
+  return {
+    {"found", figures(totals.found_m, "m")},
+    {"site_file", figures(totals.site_m, "m")},
+    {"sigma", sigma_json(totals.sigmas)}};
+}
+
 Json closure_json(const ErrorDistribution & closure)
 {
   return {
@@ -195,11 +211,16 @@ Json estimator_json(const EstimatorTotals & totals, bool fault_free)
     {"estimates_left_out", totals.confirming}, {"longest_s", totals.longest_confirmation_s}};
   put(json["first_tread"], totals.first_tread);
   json["first_tread"]["closure_error"] = closure_json(totals.first_closure_m);
-  json["flight_frame"] = {
-    {"x", figures(totals.flight_x_m, "m")},
-    {"y", figures(totals.errors.y_m, "m")},
-    {"z", figures(totals.flight_z_m, "m")},
-    {"heading", figures(totals.errors.heading_rad, "rad")}};
+  json["flight_frame"] = {{"x", figures(totals.flight_x_m, "m")},
+                          {"y", figures(totals.errors.y_m, "m")},
+                          {"z", figures(totals.flight_z_m, "m")},
+                          {"heading", figures(totals.errors.heading_rad, "rad")},
+                          {"x_sigma", sigma_json(totals.flight_x)},
+                          {"z_sigma", sigma_json(totals.flight_z)}};
+  json["staircase_as_built"] = {
+    {"tread", measure_json(totals.tread_depths)},
+    {"width", measure_json(totals.widths)},
+    {"deviations_reported", totals.deviations_reported}};
   json["treads"] = treads_json(totals);
   if (totals.never_ok > 0 || !totals.detections.empty()) {
     json["detection"] = detection_json(totals);

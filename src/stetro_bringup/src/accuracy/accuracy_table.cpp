@@ -75,6 +75,20 @@ std::string step_rows(const StepTally & steps)
   return text;
 }
 
+std::string staircase_row(const EstimatorTotals & totals)
+{
+  const MeasureTotals & treads = totals.tread_depths;
+  const MeasureTotals & widths = totals.widths;
+  return line(
+    "  staircase as built: tread %.2f mm rms (site file %.2f), inside 95 %%: %.1f %%; width %.2f "
+    "mm "
+    "(%.2f), %.1f %%; %.0f reported\n",
+    kMillimetres * treads.found_m.rmse(), kMillimetres * treads.site_m.rmse(),
+    100.0 * treads.sigmas.inside_95(), kMillimetres * widths.found_m.rmse(),
+    kMillimetres * widths.site_m.rmse(), 100.0 * widths.sigmas.inside_95(),
+    static_cast<double>(totals.deviations_reported));
+}
+
 std::string trust_rows(const EstimatorTotals & totals, bool fault_free)
 {
   const ClimbScore & counts = totals.counts;
@@ -83,6 +97,12 @@ std::string trust_rows(const EstimatorTotals & totals, bool fault_free)
     "  NEES inside 95 %%: %.1f %% (%.1f %% with a riser in sight, %.1f %% without), mean %.2f\n",
     100.0 * totals.nees.inside_share(), 100.0 * totals.nees_with_reference.inside_share(),
     100.0 * totals.nees_without_reference.inside_share(), totals.nees.mean());
+  text += line(
+    "  flight frame inside 95 %%: x %.1f %%, z %.1f %%\n", 100.0 * totals.flight_x.inside_95(),
+    100.0 * totals.flight_z.inside_95());
+  if (totals.tread_depths.sigmas.count() > 0) {
+    text += staircase_row(totals);
+  }
   text += line(
     "  integrity: OK %.2f %%, DEGRADED %.3f %%, LOST %.3f %% of the time\n",
     percent(counts.ticks_ok, ticks), percent(counts.ticks_degraded, ticks),

@@ -17,6 +17,7 @@
 #include "accuracy/closed_loop.hpp"
 #include "accuracy/estimate_scorer.hpp"
 #include "accuracy/moment.hpp"
+#include "accuracy/staircase_watch.hpp"
 
 namespace stetro_bringup
 {
@@ -42,8 +43,10 @@ ClimbRecord climb(const RobotSetup & setup, const ClimbOrder & order)
   for (std::size_t i = 0; i < loop.estimators(); ++i) {
     scorers.emplace_back(setup.flight(), order.onset);
   }
+  StaircaseWatch stairs;
   while (loop.end() == ClimbEnd::kRunning) {
     loop.tick();
+    stairs.watch(loop.truth());
     for (std::size_t i = 0; i < scorers.size(); ++i) {
       scorers[i].watch(moment_of(loop, i));
     }
@@ -55,8 +58,11 @@ ClimbRecord climb(const RobotSetup & setup, const ClimbOrder & order)
   record.detail = loop.detail();
   record.simulated_s = loop.elapsed_s();
   record.last_step = loop.truth().step;
-  for (EstimateScorer & scorer : scorers) {
-    record.scores.push_back(scorer.take());
+  for (std::size_t i = 0; i < scorers.size(); ++i) {
+    record.scores.push_back(scorers[i].take());
+    record.scores.back().staircase = stairs.score(
+      loop.estimator(i).staircase_as_built(), setup.flight(),
+      setup.localizer.params.fused.alerts.as_built_m);
   }
   return record;
 }

@@ -24,6 +24,7 @@
 #include "accuracy/closed_loop.hpp"
 #include "accuracy/fault_watch.hpp"
 #include "accuracy/protection.hpp"
+#include "accuracy/staircase_watch.hpp"
 #include "accuracy/step_watch.hpp"
 #include "accuracy/tread_errors.hpp"
 
@@ -44,6 +45,8 @@ struct ScoredEstimate
   double sigma_x_m = 0.0;
   double sigma_y_m = 0.0;
   double sigma_heading_rad = 0.0;
+  double sigma_flight_x_m = 0.0;
+  double sigma_flight_z_m = 0.0;
 };
 
 /// What the estimate jumped beside the truth when the set of used sensors changed.
@@ -73,6 +76,7 @@ struct ClimbScore
   std::uint64_t alarms = 0;             ///< times integrity left OK after the first tread
   StepTally steps;
   double longest_exceedance_s = 0.0;   ///< error beyond the protection level while OK
+  StaircaseScore staircase;            ///< as found by the end of the climb
   std::optional<Detection> detection;  ///< only when a fault was injected
 };
 

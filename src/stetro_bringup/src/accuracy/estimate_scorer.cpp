@@ -190,11 +190,13 @@ ScoredEstimate EstimateScorer::scored(const Moment & now) const
   sample.confirming = confirming_;
   sample.integrity = estimate.integrity;
   sample.errors = errors_of(estimate, *now.truth_at_stamp, flight_);
-  sample.nees = nees_of(sample.errors, estimate.covariance);
+  sample.nees = nees_of(sample.errors, estimate.tread_covariance);
   sample.protection = protection_of(estimate);
-  sample.sigma_x_m = std::sqrt(estimate.covariance(0, 0));
-  sample.sigma_y_m = std::sqrt(estimate.covariance(1, 1));
-  sample.sigma_heading_rad = std::sqrt(estimate.covariance(5, 5));
+  sample.sigma_x_m = std::sqrt(estimate.tread_covariance(0, 0));
+  sample.sigma_y_m = std::sqrt(estimate.tread_covariance(1, 1));
+  sample.sigma_heading_rad = std::sqrt(estimate.tread_covariance(5, 5));
+  sample.sigma_flight_x_m = std::sqrt(estimate.covariance(0, 0));
+  sample.sigma_flight_z_m = std::sqrt(estimate.covariance(2, 2));
   return sample;
 }
 

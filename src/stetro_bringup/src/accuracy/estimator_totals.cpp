@@ -77,6 +77,15 @@ double NeesTally::mean() const
   return known() == 0 ? kUnknown : sum / static_cast<double>(known());
 }
 
+void MeasureTotals::add(const std::vector<MeasureScore> & scores)
+{
+  for (const MeasureScore & score : scores) {
+    found_m.add(score.found_error_m);
+    site_m.add(score.site_error_m);
+    sigmas.add(score.found_error_m, score.sigma_m);
+  }
+}
+
 EstimatorTotals::EstimatorTotals(int steps) : treads(static_cast<std::size_t>(steps) + 1) {}
 
 void EstimatorTotals::add(const ClimbScore & score)
@@ -96,6 +105,9 @@ void EstimatorTotals::add(const ClimbScore & score)
   for (const double closure : score.first_closures_m) {
     first_closure_m.add(closure);
   }
+  tread_depths.add(score.staircase.treads);
+  widths.add(score.staircase.widths);
+  deviations_reported += score.staircase.reported;
   add_counts(score);
   longest_confirmation_s = std::max(longest_confirmation_s, score.longest_confirmation_s);
   longest_exceedance_s = std::max(longest_exceedance_s, score.longest_exceedance_s);
@@ -143,6 +155,8 @@ void EstimatorTotals::add(const ScoredEstimate & sample)
   errors.add(sample.errors);
   flight_x_m.add(sample.errors.flight_x_m);
   flight_z_m.add(sample.errors.flight_z_m);
+  flight_x.add(sample.errors.flight_x_m, sample.sigma_flight_x_m);
+  flight_z.add(sample.errors.flight_z_m, sample.sigma_flight_z_m);
   x_histogram.add(sample.errors.x_m);
   y_histogram.add(sample.errors.y_m);
   heading_histogram.add(sample.errors.heading_rad);

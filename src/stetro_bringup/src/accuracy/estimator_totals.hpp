@@ -21,6 +21,7 @@
 #include "accuracy/climb_score.hpp"
 #include "accuracy/error_distribution.hpp"
 #include "accuracy/histogram.hpp"
+#include "accuracy/sigma_tally.hpp"
 
 namespace stetro_bringup
 {
@@ -65,6 +66,16 @@ struct TreadTotals
   NeesTally nees;
 };
 
+/// One kind of measure of the staircase over all climbs.
+struct MeasureTotals
+{
+  ErrorDistribution found_m;
+  ErrorDistribution site_m;  ///< of the site file: what would be known without measuring
+  SigmaTally sigmas;
+
+  void add(const std::vector<MeasureScore> & scores);
+};
+
 /// One estimator over all climbs of a scenario.
 class EstimatorTotals
 {
@@ -78,6 +89,8 @@ public:
   ErrorGroup errors;
   ErrorDistribution flight_x_m;
   ErrorDistribution flight_z_m;
+  SigmaTally flight_x;
+  SigmaTally flight_z;
   NeesTally nees;                    ///< everywhere
   NeesTally nees_with_reference;     ///< where the front sensors have a riser in sight
   NeesTally nees_without_reference;  ///< on the last two treads
@@ -85,6 +98,9 @@ public:
   ErrorDistribution hand_over_x_m;
   ErrorDistribution hand_over_y_m;
   ErrorDistribution closure_m;
+  MeasureTotals tread_depths;  ///< the staircase as built, by the end of each climb
+  MeasureTotals widths;
+  std::uint64_t deviations_reported = 0;
   ErrorDistribution protection_along_m;  ///< where a reference is in sight; none if not given
   ErrorDistribution protection_across_m;
   ErrorDistribution protection_heading_rad;

@@ -81,6 +81,7 @@ bool ClimbRun::goes_on()
     give_up("not ended within " + std::to_string(options_.time_limit_s) + " s");
   }
   if (!troubles_.empty() || demo_.ended()) {
+    over_ = Clock::now();
     return false;
   }
   if (!demo_.accepted()) {
@@ -90,6 +91,12 @@ bool ClimbRun::goes_on()
   const auto & estimate = demo_.last_estimate();
   progress_.show(demo_.mission(), estimate ? estimate->sample.y_m : 0.0, simulated_time_s());
   return true;
+}
+
+// It tells its diagnostics once a second. Who hears none reports the staircase as last told.
+bool ClimbRun::awaits_staircase() const
+{
+  return demo_.ended() && !demo_.knows_staircase() && Clock::now() - over_ < 3000ms;
 }
 
 // By the robot's clock, so that a run in one process asks at the same tick each time.
@@ -129,6 +136,7 @@ ClimbOutcome ClimbRun::outcome() const
   outcome.in_process = options_.in_process;
   outcome.wall_time_s = wall_time_s();
   outcome.simulated_time_s = simulated_time_s();
+  outcome.staircase = demo_.staircase();
   outcome.faults = demo_.faults();
   outcome.faults.insert(outcome.faults.end(), troubles_.begin(), troubles_.end());
   return outcome;

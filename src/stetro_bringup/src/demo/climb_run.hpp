@@ -47,6 +47,9 @@ public:
   /** \return whether it goes on */
   bool goes_on();
 
+  /// Whether the localizer is still to say what staircase it found; hear it before the report.
+  [[nodiscard]] bool awaits_staircase() const;
+
   /// Tells that the run cannot go on, for example because a process has died.
   void give_up(const std::string & reason);
 
@@ -71,6 +74,7 @@ private:
   Progress progress_;
   std::vector<std::string> troubles_;
   std::chrono::nanoseconds asked_{0};
+  std::chrono::steady_clock::time_point over_;  // when goes_on() said so
 };
 
 }  // namespace stetro_bringup

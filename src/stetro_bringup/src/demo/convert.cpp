@@ -74,6 +74,15 @@ Estimate estimate_of(const stetro_msgs::msg::StairPose & message, const StairSam
   return estimate;
 }
 
+StaircaseFound staircase_of(const diagnostic_msgs::msg::DiagnosticStatus & message)
+{
+  StaircaseFound staircase;
+  for (const auto & pair : message.values()) {
+    note(staircase, pair.key(), pair.value());
+  }
+  return staircase;
+}
+
 std::string integrity_name(std::uint8_t value)
 {
   switch (value) {

@@ -18,8 +18,10 @@
 #include <string>
 
 #include "stetro_bringup/recorder.hpp"
+#include "stetro_bringup/staircase_found.hpp"
 #include "stetro_dds/refusal.hpp"
 #include "stetro_dds/stamp.hpp"
+#include "stetro_msgs/DiagnosticStatus.hpp"
 #include "stetro_msgs/StairPose.hpp"
 
 namespace stetro_bringup
@@ -40,6 +42,9 @@ using stetro_dds::time_of;
 /// The estimate in a StairPose; `sample` is what sample_of() made of it.
 [[nodiscard]] Estimate estimate_of(
   const stetro_msgs::msg::StairPose & message, const StairSample & sample);
+
+/// The staircase in the localizer's diagnostic status of that name.
+[[nodiscard]] StaircaseFound staircase_of(const diagnostic_msgs::msg::DiagnosticStatus & message);
 
 [[nodiscard]] std::string integrity_name(std::uint8_t integrity);
 [[nodiscard]] std::string outcome_name(std::uint8_t outcome);

@@ -56,6 +56,8 @@ DemoNode::DemoNode(
     "innovations", qos::kSensor, [this](const auto & message) { on_innovations(message); });
   node_.subscribe<stetro_msgs::msg::StairPose>(
     "stair_pose", recording(), [this](const auto & message) { return on_stair_pose(message); });
+  node_.subscribe<diagnostic_msgs::msg::DiagnosticArray>(
+    "/diagnostics", qos::kDiagnostics, [this](const auto & message) { on_diagnostics(message); });
   node_.subscribe<stetro_msgs::msg::MissionStatus>(
     "mission_status", qos::kLatched, [this](const auto & message) { on_mission_status(message); });
 }
@@ -137,8 +139,19 @@ void DemoNode::on_innovations(const stetro_msgs::msg::Innovations & message)
   }
 }
 
+void DemoNode::on_diagnostics(const diagnostic_msgs::msg::DiagnosticArray & message)
+{
+  for (const auto & status : message.status()) {
+    if (status.name() == "localizer: staircase as built") {
+      staircase_ = staircase_of(status);
+      staircase_at_ = time_of(message.header().stamp());
+    }
+  }
+}
+
 void DemoNode::on_mission_status(const stetro_msgs::msg::MissionStatus & message)
 {
+  const bool over = ended();
   const auto now = time_of(message.header().stamp());
   if (message.issuer() == kIssuer && message.request_id().c_str() == request_id()) {
     if (message.answer() == status::ANSWER_ACCEPTED && !accepted_) {
@@ -152,7 +165,7 @@ void DemoNode::on_mission_status(const stetro_msgs::msg::MissionStatus & message
   mission_ = {
     message.mission(), message.state().c_str(), message.step(), message.step_count(),
     message.fault().c_str()};
-  ended_at_ = now;
+  ended_at_ = over ? ended_at_ : now;
   std::string fault = message.fault().c_str();
   if (!fault.empty()) {
     fault += std::string(": ") + message.fault_detail().c_str();

@@ -22,7 +22,9 @@
 #include <vector>
 
 #include "stetro_bringup/recorder.hpp"
+#include "stetro_bringup/staircase_found.hpp"
 #include "stetro_dds/node.hpp"
+#include "stetro_msgs/DiagnosticArray.hpp"
 #include "stetro_msgs/Innovations.hpp"
 #include "stetro_msgs/MissionRequest.hpp"
 #include "stetro_msgs/MissionStatus.hpp"
@@ -68,6 +70,9 @@ public:
   [[nodiscard]] const MissionView & mission() const { return mission_; }
   [[nodiscard]] const std::vector<std::string> & faults() const { return faults_; }
   [[nodiscard]] const std::optional<Estimate> & last_estimate() const { return last_estimate_; }
+  [[nodiscard]] const StaircaseFound & staircase() const { return staircase_; }
+  /// The localizer has said since the end what staircase it found.
+  [[nodiscard]] bool knows_staircase() const { return ended() && staircase_at_ >= ended_at_; }
   [[nodiscard]] std::chrono::nanoseconds started_at() const { return started_at_; }
   [[nodiscard]] std::chrono::nanoseconds ended_at() const { return ended_at_; }
 
@@ -76,6 +81,7 @@ private:
   std::optional<stetro_dds::Refusal> on_ground_truth(const stetro_msgs::msg::StairPose & message);
   void on_ranges(const stetro_msgs::msg::RangeArray & message);
   void on_innovations(const stetro_msgs::msg::Innovations & message);
+  void on_diagnostics(const diagnostic_msgs::msg::DiagnosticArray & message);
   void on_mission_status(const stetro_msgs::msg::MissionStatus & message);
   [[nodiscard]] std::string request_id() const;
 
@@ -91,6 +97,8 @@ private:
   std::string refusal_;
   std::vector<std::string> faults_;
   std::optional<Estimate> last_estimate_;
+  StaircaseFound staircase_;
+  std::chrono::nanoseconds staircase_at_{0};
   std::chrono::nanoseconds started_at_{0};
   std::chrono::nanoseconds ended_at_{0};
 };

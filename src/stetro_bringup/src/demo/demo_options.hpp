@@ -30,7 +30,7 @@ struct DemoOptions
   std::string out = "out/demo";  ///< folder of the results
   std::uint64_t seed = 1;        ///< of the world, the sensors and the disturbances
   double speed = 20.0;           ///< simulated seconds a second at most
-  std::string estimator = "paper";
+  std::string estimator = "fused";
   std::string site;                ///< what the software believes; empty: the papers' staircase
   std::string robot;               ///< empty: the papers' robot
   std::string flight;              ///< id of the flight to clean; empty: the only one

@@ -74,6 +74,7 @@ int climb_in_process(
     }
     robot.step();
   }
+  robot.tell_diagnostics();  // now: the second of the wall is no tick of the robot
   return run.report();
 }
 
@@ -111,6 +112,9 @@ int climb_over_dds(
           options.out);
       }
     }
+  }
+  while (run.awaits_staircase()) {
+    executor.spin_some(50ms);
   }
   return run.report();
 }

@@ -21,12 +21,14 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "stetro_localizer/integrity.hpp"
 #include "stetro_localizer/outcome.hpp"
 #include "stetro_localizer/params.hpp"
 #include "stetro_localizer/reset_cause.hpp"
 #include "stetro_localizer/samples.hpp"
+#include "stetro_localizer/staircase_as_built.hpp"
 #include "stetro_localizer/state_file.hpp"
 #include "stetro_site/flight.hpp"
 #include "stetro_site/frame_transform.hpp"
@@ -46,6 +48,9 @@ struct StairEstimate
   double step_probability = kUnknown;  ///< of `step`, if the method knows one
   stetro_site::Pose pose{kUnknown, kUnknown, kUnknown, kUnknown};        ///< in the flight frame
   stetro_site::Covariance covariance = stetro_site::Covariance::Zero();  ///< of the pose
+  /// The same relative to the tread and the riser ahead: what is measured here, without the doubt
+  /// of the treads and risers below.
+  stetro_site::Covariance tread_covariance = stetro_site::Covariance::Zero();
   double tread_x_m = kUnknown;      ///< from the tread's own riser [m]
   double riser_ahead_m = kUnknown;  ///< from base_link along x to the next riser's face [m]
   double tread_y_m = kUnknown;      ///< from the right wall [m]
@@ -102,6 +107,10 @@ public:
   [[nodiscard]] virtual const StairEstimate & estimate() const = 0;
   [[nodiscard]] virtual const SourceReports & reports() const = 0;
   [[nodiscard]] virtual std::array<Bias, 4> biases() const = 0;
+
+  /// The steps as they were found so far, rising; empty from a method that measures none.
+  /** It begins anew with the estimator, and when the robot is located anew. Allocates. */
+  [[nodiscard]] virtual std::vector<StepAsBuilt> staircase_as_built() const { return {}; }
 
   /// What should survive a restart, and a number that rises whenever it changed.
   [[nodiscard]] virtual StoredState state_to_store() const = 0;

@@ -18,8 +18,10 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "stetro_localizer/estimator.hpp"
+#include "stetro_localizer/fused/as_built_record.hpp"
 #include "stetro_localizer/fused/fused_model.hpp"
 #include "stetro_localizer/fused/history.hpp"
 #include "stetro_localizer/input_watch.hpp"
@@ -57,6 +59,7 @@ public:
   [[nodiscard]] const StairEstimate & estimate() const override { return estimate_; }
   [[nodiscard]] const SourceReports & reports() const override { return reports_; }
   [[nodiscard]] std::array<Bias, 4> biases() const override;
+  [[nodiscard]] std::vector<StepAsBuilt> staircase_as_built() const override;
   [[nodiscard]] StoredState state_to_store() const override;
   [[nodiscard]] std::uint64_t state_version() const override;
 
@@ -78,6 +81,7 @@ private:
   stetro_site::Flight flight_;
   FusedModel model_;
   History history_;
+  AsBuiltRecord as_built_;
   InputWatch watch_;
   SourceReports reports_;
   StairEstimate estimate_;

@@ -46,6 +46,14 @@ void ErrorStateFilter::set(int index, double value, double variance)
   P_.row(index).setZero();
   P_.col(index).setZero();
   P_(index, index) = variance;
+  edge_covariance_[index] = 0.0;
+}
+
+void ErrorStateFilter::begin_edge(double variance, double of_tread_here)
+{
+  edge_variance_ = variance;
+  edge_covariance_.setZero();
+  edge_covariance_[kStateTreadHere] = of_tread_here;
 }
 
 void ErrorStateFilter::predict(
@@ -73,6 +81,10 @@ void ErrorStateFilter::predict(
   for (const int i : {kStateX, kStateY, kStateYaw}) {
     P_.row(i) = P_.col(i).transpose();  // rounding differs by the order: symmetric by decree
   }
+  StateVector & edge = edge_covariance_;  // a column more, of a state that does not move
+  edge[kStateX] += -leftward_m * edge[kStateYaw] + dt_s * (c * edge[kStateVx] - s * edge[kStateVy]);
+  edge[kStateY] += forward_m * edge[kStateYaw] + dt_s * (s * edge[kStateVx] + c * edge[kStateVy]);
+  edge[kStateYaw] -= dt_s * edge[kStateGyroBias];
   add_noise(dt_s, noise, slipping);
 }
 
@@ -120,11 +132,14 @@ void ErrorStateFilter::correct(
   const Expectation & expectation, const Innovation & innovation, const Corrects & corrects)
 {
   StateVector h = StateVector::Zero();
+  double of_edge = 0.0;
   for (const auto & entry : expectation) {
     h += entry.slope * P_.col(entry.index);
+    of_edge += entry.slope * edge_covariance_[entry.index];
   }
   h /= std::sqrt(innovation.variance);
   const StateVector k = corrects.of(h);
+  edge_covariance_ -= k * (of_edge / std::sqrt(innovation.variance));
   x_ += k * (innovation.value / std::sqrt(innovation.variance));
   P_.noalias() -= k * h.transpose();
   P_.noalias() -= (h - k) * k.transpose();
@@ -136,6 +151,7 @@ void ErrorStateFilter::copy_row(int to, int from)
   P_.col(to) = P_.col(from);
   P_.row(to) = P_.row(from);
   P_(to, to) = P_(from, from);
+  edge_covariance_[to] = edge_covariance_[from];
 }
 
 FusedCalibration ErrorStateFilter::calibration() const
@@ -164,6 +180,10 @@ void ErrorStateFilter::set_calibration(const FusedCalibration & calibration)
 
 void ErrorStateFilter::climb(double tread_m, double tread_variance, double riser_variance)
 {
+  edge_variance_ +=
+    P_(kStateTreadAhead, kStateTreadAhead) + 2.0 * edge_covariance_[kStateTreadAhead];
+  edge_covariance_ += P_.col(kStateTreadAhead);
+  edge_covariance_[kStateX] -= edge_covariance_[kStateTreadAhead];
   x_[kStateX] -= x_[kStateTreadAhead];
   P_.col(kStateX) -= P_.col(kStateTreadAhead);
   P_.row(kStateX) -= P_.row(kStateTreadAhead);
@@ -175,6 +195,9 @@ void ErrorStateFilter::climb(double tread_m, double tread_variance, double riser
 
 void ErrorStateFilter::descend(double tread_m, double tread_variance, double riser_variance)
 {
+  edge_variance_ += P_(kStateTreadHere, kStateTreadHere) - 2.0 * edge_covariance_[kStateTreadHere];
+  edge_covariance_ -= P_.col(kStateTreadHere);
+  edge_covariance_[kStateX] += edge_covariance_[kStateTreadHere];
   x_[kStateX] += x_[kStateTreadHere];
   P_.col(kStateX) += P_.col(kStateTreadHere);
   P_.row(kStateX) += P_.row(kStateTreadHere);

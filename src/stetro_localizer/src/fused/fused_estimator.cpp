@@ -36,6 +36,7 @@ FusedEstimator::FusedEstimator(
   flight_(flight),
   model_(params, robot, flight),
   history_(model_, model_.begin(), nanoseconds(params.fused.window_s), kMostInWindow),
+  as_built_(flight.steps()),
   watch_(params.silence_s),
   risk_quantile_(two_sided_quantile(params.fused.integrity_risk))
 {
@@ -61,6 +62,7 @@ Verdict FusedEstimator::take(Source input, const Sample & sample, Nanoseconds no
   } else {
     switch (history_.take(sample)) {
       case History::Taken::kYes:
+        as_built_.follow(history_.settled());
         watch_.note(input, now);
         break;
       case History::Taken::kStale:
@@ -226,17 +228,35 @@ void FusedEstimator::refresh_covariance()
   const FusedCore & core = history_.core();
   const StateMatrix & P = core.filter.covariance();
   constexpr double kTilt = 0.0175;  // a block stands level within this [rad]
-  auto & covariance = estimate_.covariance;
-  covariance.setZero();
+  constexpr double kLevel = 0.001;  // and at the height of its tread within this [m]
+  auto & on_tread = estimate_.tread_covariance;
+  on_tread.setZero();
   const std::array<std::pair<int, int>, 3> map{
     {{0, kStateX}, {1, kStateY}, {5, kStateYaw}}};  // of the pose, of the state
   for (const auto & [row, i] : map) {
     for (const auto & [column, j] : map) {
-      covariance(row, column) = P(i, j);
+      on_tread(row, column) = P(i, j);
     }
   }
-  covariance(2, 2) = core.rise_variance_m2 + 1e-6;
-  covariance(3, 3) = covariance(4, 4) = kTilt * kTilt;
+  on_tread(2, 2) = kLevel * kLevel;
+  on_tread(3, 3) = on_tread(4, 4) = kTilt * kTilt;
+  // In the flight frame x is edge + x, and every riser below adds its own doubt to z.
+  auto & covariance = estimate_.covariance;
+  covariance = on_tread;
+  const StateVector & edge = core.filter.edge_covariance();
+  for (const auto & [row, i] : map) {
+    covariance(row, 0) += edge[i];
+    covariance(0, row) += edge[i];
+  }
+  covariance(0, 0) += core.filter.edge_variance();
+  const double riser_m = params_.fused.priors.riser_m;
+  covariance(2, 2) += core.located_on.value_or(0) * riser_m * riser_m;
+}
+
+std::vector<StepAsBuilt> FusedEstimator::staircase_as_built() const
+{
+  const FusedCore & core = history_.core();
+  return as_built_.steps(core, model_.as_built_here(core));
 }
 
 std::array<Bias, 4> FusedEstimator::biases() const

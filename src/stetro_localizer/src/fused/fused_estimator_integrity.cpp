@@ -42,7 +42,7 @@ void FusedEstimator::refresh_protection()
   const FusedCore & core = history_.core();
   const bool known = core.located_on.has_value();
   const auto bound = [this](int axis) {
-    return risk_quantile_ * std::sqrt(estimate_.covariance(axis, axis));
+    return risk_quantile_ * std::sqrt(estimate_.tread_covariance(axis, axis));
   };
   // A slip is rare and long, no part of a normal distribution: it adds as a whole.
   const auto slip_m = [&](bool in_sight) {

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
 #include "stetro_localizer/fused/cone.hpp"
 #include "stetro_localizer/fused/motion_aiding.hpp"
@@ -87,6 +88,9 @@ FusedCore FusedModel::begin() const
 void FusedModel::take(FusedCore & core, const Sample & sample) const
 {
   std::visit([&](const auto & one) { take_one(core, one); }, sample);
+  if (const auto * ranges = std::get_if<RangeSample>(&sample)) {
+    gauge_tread_ahead(core, *ranges);
+  }
 }
 
 void FusedModel::advance(FusedCore & core, Nanoseconds time) const
@@ -214,7 +218,9 @@ void FusedModel::locate(FusedCore & core, int step) const
   filter.set(kStateWidth, width_m, squared(prior.width_m));
   core.edge_x_m = edge_ahead_m(step);
   core.rise_m = flight_.tread_z_m(step);
-  core.rise_variance_m2 = squared(prior.riser_m) * step;
+  filter.begin_edge(step * squared(prior.tread_m), step == 0 ? 0.0 : squared(prior.tread_m));
+  core.left_behind = {};  // it may have been another step
+  begin_gauge(core);
   core.located_on = step;
   for (SlipWatch & watch : core.slips) {
     watch.clear();

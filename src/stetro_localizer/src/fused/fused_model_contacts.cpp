@@ -108,10 +108,10 @@ void FusedModel::take_riser_switch(FusedCore & core, Side side, const ContactSam
   closed_at = sample.stamp;
   take_suspected_slip(core, kStateX);
   const double tip_y_m = left ? robot_.switch_y_m : -robot_.switch_y_m;
+  const Expectation gap = expect_riser_switch(core.filter.state(), robot_.switch_x_m, tip_y_m);
+  core.gauge_ahead.touch(core.filter[kStateX] + gap.value(), core.travel_m);  // the gap is none
   const Outcome outcome = use_contact(
-    core, Source::kRiserSwitches,
-    expect_riser_switch(core.filter.state(), robot_.switch_x_m, tip_y_m), kStateX,
-    squared(params_.fused.noise.riser_switch_m));
+    core, Source::kRiserSwitches, gap, kStateX, squared(params_.fused.noise.riser_switch_m));
   if (
     outcome == Outcome::kFused && sample.riser_left.is_closed() && sample.riser_right.is_closed()) {
     core.doubted[kStateYaw] = false;  // one alone tells x
@@ -211,11 +211,15 @@ void FusedModel::follow_step(FusedCore & core, std::optional<int> step) const
   const double tread_variance = squared(prior.tread_m);
   const double riser_variance = squared(prior.riser_direction_rad);
   if (core.located_on == *step - 1) {
+    core.left_behind = as_built_here(core);  // its tread leaves the state
+    hand_gauge_on(core);
     core.edge_x_m += filter[kStateTreadAhead];
     core.rise_m += flight_.riser_m(*step);
-    core.rise_variance_m2 += squared(prior.riser_m);
     filter.climb(tread_m(*step + 1), tread_variance, riser_variance);
   } else if (core.located_on == *step + 1) {
+    core.left_behind = as_built_here(core);
+    core.gauged_here.reset();
+    core.gauge_ahead = {};
     core.edge_x_m -= filter[kStateTreadHere];
     core.rise_m -= flight_.riser_m(*step + 1);
     filter.descend(tread_m(*step), tread_variance, riser_variance);

@@ -16,6 +16,7 @@
 #include <string>
 
 #include "node/localizer_parts.hpp"
+#include "node/staircase_report.hpp"
 #include "stetro_localizer/input_watch.hpp"
 
 namespace stetro_localizer
@@ -30,6 +31,8 @@ void LocalizerNode::Parts::add_diagnostics()
   diagnostics.add("estimate", [this](DiagnosticReport & report) { report_estimate(report); });
   diagnostics.add("inputs", [this](DiagnosticReport & report) { report_inputs(report); });
   diagnostics.add("calibration", [this](DiagnosticReport & report) { report_calibration(report); });
+  diagnostics.add(
+    "staircase as built", [this](DiagnosticReport & report) { report_staircase(report); });
 }
 
 void LocalizerNode::Parts::report_estimate(DiagnosticReport & report) const
@@ -57,6 +60,11 @@ void LocalizerNode::Parts::report_estimate(DiagnosticReport & report) const
   if (estimate.contact_closure_m) {
     report.value("contact closure [m]", *estimate.contact_closure_m);
   }
+}
+
+void LocalizerNode::Parts::report_staircase(DiagnosticReport & report) const
+{
+  tell(report, estimator_->staircase_as_built(), flight_, params_.fused.alerts.as_built_m);
 }
 
 void LocalizerNode::Parts::report_inputs(DiagnosticReport & report)

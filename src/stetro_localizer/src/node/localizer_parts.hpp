@@ -75,6 +75,7 @@ private:
   void report_estimate(stetro_dds::DiagnosticReport & report) const;
   void report_inputs(stetro_dds::DiagnosticReport & report);
   void report_calibration(stetro_dds::DiagnosticReport & report) const;
+  void report_staircase(stetro_dds::DiagnosticReport & report) const;
 
   const LocalizerParams params_;
   const stetro_site::Flight flight_;

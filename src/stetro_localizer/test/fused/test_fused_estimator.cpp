@@ -107,6 +107,38 @@ TEST(FusedEstimator, FollowsTheStepsUp)
   EXPECT_NEAR(rig.estimate().pose.yaw_rad, rig.robot.yaw_rad, 0.01);
 }
 
+// Three treads of 2.5 mm and three risers of 1.5 mm lie between the foot of the stairs and tread 3.
+TEST(FusedEstimator, DoubtsTheFlightFrameMoreThanTheTread)
+{
+  Rig rig(3, uncalibrated());
+  const StairEstimate & at = rig.estimate();
+  EXPECT_NEAR(at.covariance(0, 0) - at.tread_covariance(0, 0), 3 * 0.0025 * 0.0025, 1e-9);
+  EXPECT_NEAR(at.covariance(2, 2) - at.tread_covariance(2, 2), 3 * 0.0015 * 0.0015, 1e-12);
+  EXPECT_EQ(at.covariance(1, 1), at.tread_covariance(1, 1));
+  EXPECT_EQ(at.covariance(5, 5), at.tread_covariance(5, 5));
+  Rig floor(0, uncalibrated());
+  EXPECT_EQ(floor.estimate().covariance, floor.estimate().tread_covariance);
+}
+
+TEST(FusedEstimator, MeasuresTheStairsThatItClimbs)
+{
+  Rig rig(0, uncalibrated());
+  EXPECT_TRUE(rig.estimator.staircase_as_built().empty()) << "the floor is no step";
+  rig.robot.approach();
+  for (int step = 0; step < 4; ++step) {
+    rig.robot.climb(step);
+    rig.sweep();
+  }
+  const auto steps = rig.estimator.staircase_as_built();
+  ASSERT_EQ(steps.size(), 4u);
+  for (const StepAsBuilt & one : steps) {
+    ASSERT_TRUE(one.tread_m) << one.step;
+    const double sigma_m = std::sqrt(one.tread_m->variance);
+    EXPECT_LT(sigma_m, 0.0025) << one.step << ": no better than the site file";
+    EXPECT_LT(std::abs(one.tread_m->value - 0.32), 3.0 * sigma_m) << one.step;
+  }
+}
+
 TEST(FusedEstimator, BadSamplesChangeNothing)
 {
   Rig rig(3);
@@ -255,8 +287,8 @@ std::array<double, 2> slip_shares_m(const StairEstimate & estimate)
 {
   const double q = two_sided_quantile(FusedParams{}.integrity_risk);
   return {
-    estimate.protection_along_m - q * std::sqrt(estimate.covariance(0, 0)),
-    estimate.protection_across_m - q * std::sqrt(estimate.covariance(1, 1))};
+    estimate.protection_along_m - q * std::sqrt(estimate.tread_covariance(0, 0)),
+    estimate.protection_across_m - q * std::sqrt(estimate.tread_covariance(1, 1))};
 }
 
 // 4 mm before it is noticed; a whole one, 20 mm, where nothing corrected for half a second.

@@ -147,6 +147,26 @@ TEST_F(HistoryTest, ALateSampleCounts)
   EXPECT_LT(with.core().filter.variance(kStateY), without.core().filter.variance(kStateY));
 }
 
+TEST_F(HistoryTest, NoLateSampleChangesWhatIsSettled)
+{
+  History history = this->history();
+  EXPECT_EQ(history.settled().time, history.core().time) << "nothing is kept yet";
+  for (const Sample & sample : a_sweep()) {
+    history.take(sample);
+  }
+  const Nanoseconds age = history.core().time - history.settled().time;
+  EXPECT_GT(age, milliseconds(380));
+  EXPECT_LT(age, milliseconds(430));
+  const StateVector settled = history.settled().filter.state();
+  const StateVector newest = history.core().filter.state();
+  RangeSample late;
+  late.stamp = history.settled().time + milliseconds(12);
+  late[Place::kSideRight] = reading(late.stamp, 1.0117 * 1.02);
+  ASSERT_EQ(history.take(late), History::Taken::kYes);
+  EXPECT_EQ(history.settled().filter.state(), settled);
+  EXPECT_NE(history.core().filter.state(), newest);
+}
+
 TEST_F(HistoryTest, WhatIsOlderThanTheWindowIsStale)
 {
   History kept = history(milliseconds(100));

@@ -77,6 +77,10 @@ private:
  * The error is additive in every state; the heading's is an angle about +z. Trivially copyable, so
  * that the past can be kept and resumed. Nothing here allocates or throws.
  *
+ * Beside the states goes the edge, the riser ahead in the flight frame: the sum of the treads below
+ * as they were believed when block 2 left them. No measurement corrects it, but its doubt and what
+ * it has in common with the states are kept (Schmidt): the place in the flight frame is edge + x.
+ *
  * Derivation: docs/derivations/fused_estimator.md.
  */
 class ErrorStateFilter
@@ -86,6 +90,15 @@ public:
   [[nodiscard]] const StateMatrix & covariance() const { return P_; }
   [[nodiscard]] double operator[](int index) const { return x_[index]; }
   [[nodiscard]] double variance(int index) const { return P_(index, index); }
+
+  /// Variance of the edge [m^2].
+  [[nodiscard]] double edge_variance() const { return edge_variance_; }
+  /// Covariance of the edge with each state.
+  [[nodiscard]] const StateVector & edge_covariance() const { return edge_covariance_; }
+
+  /// Begins the edge anew, by the site file.
+  /** \param of_tread_here the part of the variance that is the doubt of the tread here */
+  void begin_edge(double variance, double of_tread_here);
 
   /// Makes a state known as `value` with `variance`, independent of all the others.
   void set(int index, double value, double variance);
@@ -132,7 +145,8 @@ public:
   /// Block 2 came to stand one tread higher: the next riser is the one ahead now.
   /**
    *   x -= tread ahead,  tread here = tread ahead,  rho ahead = rho next,
-   * and a new tread and riser, known by the site file, come into sight.
+   * and a new tread and riser, known by the site file, come into sight. The edge moves on by the
+   * tread ahead.
    */
   void climb(double tread_m, double tread_variance, double riser_variance);
 
@@ -145,6 +159,8 @@ private:
 
   StateVector x_ = StateVector::Zero();
   StateMatrix P_ = StateMatrix::Zero();
+  StateVector edge_covariance_ = StateVector::Zero();
+  double edge_variance_ = 0.0;
 };
 
 }  // namespace stetro_localizer

@@ -23,8 +23,10 @@
 #include "stetro_localizer/fused/error_state_filter.hpp"
 #include "stetro_localizer/fused/range_monitor.hpp"
 #include "stetro_localizer/fused/slip_watch.hpp"
+#include "stetro_localizer/fused/tread_gauge.hpp"
 #include "stetro_localizer/outcome.hpp"
 #include "stetro_localizer/samples.hpp"
+#include "stetro_localizer/staircase_as_built.hpp"
 #include "stetro_localizer/standstill.hpp"
 #include "stetro_localizer/step_filter.hpp"
 
@@ -82,8 +84,12 @@ struct FusedCore
   std::optional<int> located_on;  ///< step that x and the treads of the state belong to
   double edge_x_m = 0.0;          ///< X of the riser ahead in the flight frame, as built so far [m]
   double rise_m = 0.0;            ///< height of the tread of block 2, as built so far [m]
-  double rise_variance_m2 = 0.0;
-  Nanoseconds since{0};                                ///< time of the first sample
+  TreadGauge gauge_ahead;         ///< of the tread ahead
+  FrontCalibration front_calibration;         ///< for it: from before that tread came into sight
+  bool site_belied = false;                   ///< by a tread since the robot was located
+  std::optional<ScalarEstimate> gauged_here;  ///< what the gauge said of the tread of block 2 [m]
+  StepAsBuilt left_behind;                    ///< the step that block 2 left last; step 0: none yet
+  Nanoseconds since{0};                       ///< time of the first sample
   std::array<RangeMonitor, kWatchedCount> monitors{};  ///< by `Ranger`
   std::uint64_t landmarks = 0;  ///< contacts and changes of the step: worth keeping
   std::uint32_t jumps = 0;      ///< of the state, other than by measurements

@@ -69,6 +69,9 @@ public:
   /// Makes the core believe that it stands on `step`; x becomes unknown within the tread.
   void locate(FusedCore & core, int step) const;
 
+  /// What is known of the step that block 2 stands on; step 0 on the floor, or where it is unknown.
+  [[nodiscard]] StepAsBuilt as_built_here(const FusedCore & core) const;
+
 private:
   void take_one(FusedCore & core, const OdometrySample & sample) const;
   void take_one(FusedCore & core, const GyroSample & sample) const;
@@ -87,6 +90,12 @@ private:
   void note_closure(FusedCore & core, bool left, double gap_m) const;
   Outcome use_contact(
     FusedCore & core, Source source, const Expectation & gap, int axis, double variance) const;
+  [[nodiscard]] bool belies_site(const ScalarEstimate & gauged, int step) const;
+  [[nodiscard]] FrontCalibration front_calibration(const FusedCore & core) const;
+  void begin_gauge(FusedCore & core) const;
+  void hand_gauge_on(FusedCore & core) const;
+  void gauge_tread_ahead(FusedCore & core, const RangeSample & sample) const;
+  [[nodiscard]] bool cone_is_clear(double beam_z_m, int riser, double range_m) const;
   [[nodiscard]] StepEvidence step_evidence(const FusedCore & core, Nanoseconds time) const;
   [[nodiscard]] std::optional<double> front_m(const FusedCore & core, Nanoseconds time) const;
   void follow_step(FusedCore & core, std::optional<int> step) const;

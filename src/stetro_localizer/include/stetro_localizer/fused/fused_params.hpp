@@ -62,6 +62,7 @@ struct FusedAlerts
   double stuck_s = 0.5;             ///< the gyroscope is stuck after so long [s]
   double offset_m = 0.05;           ///< an offset beyond this is not trusted [m]
   double gain = 0.15;               ///< nor is such a gain [-]
+  double as_built_m = 0.02;         ///< a tread or width off the site file by more is told [m]
   std::int64_t reject_streak = 15;  ///< gated in a row: a sensor contradicts the others
 };
 
@@ -135,6 +136,9 @@ void visit(FusedParams & p, Visitor && each)
     "the gyroscope repeats itself in motion: stuck after [s]");
   each("alerts.offset_m", alert.offset_m, Within{0.001, 0.5}, "larger offset is not trusted [m]");
   each("alerts.gain", alert.gain, Within{0.001, 1.0}, "larger gain error is not trusted [-]");
+  each(
+    "alerts.as_built_m", alert.as_built_m, Within{0.001, 0.5},
+    "a tread or width off the site file by more is reported [m]");
   each(
     "alerts.reject_streak", alert.reject_streak, Within{2, 1000},
     "gated in a row: a sensor contradicts the others");

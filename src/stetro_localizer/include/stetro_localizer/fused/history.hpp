@@ -52,6 +52,12 @@ public:
   /// Lets the motion go on as it was until `time`, for want of samples; the next one takes it back.
   void look_ahead(Nanoseconds time);
 
+  /// The core as of a while ago: no late sample changes it any more.
+  [[nodiscard]] const FusedCore & settled() const
+  {
+    return count_ > 0 ? ring_[first_].before : core_;
+  }
+
   /// Goes on from another core; what was kept cannot be taken again.
   void restart(const FusedCore & core);
 
