@@ -150,13 +150,16 @@ RangeSample FusedEstimator::new_readings(const RangeSample & sample)
   return fresh;
 }
 
+// Ranges bring the next estimate; without them it is the prediction.
 void FusedEstimator::tick(Nanoseconds now)
 {
   silent_ = watch_.any_silent(now);
   if (silent_) {
     history_.look_ahead(now);
+    refresh();
+  } else {
+    refresh_integrity();
   }
-  refresh();
 }
 
 void FusedEstimator::refresh(ResetCause cause)

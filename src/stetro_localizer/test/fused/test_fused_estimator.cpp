@@ -195,6 +195,19 @@ TEST(FusedEstimator, BadRangesAreRefusedAndCounted)
   EXPECT_EQ(rig.estimate().pose.y_m, y_m);
 }
 
+// Between two arrays of ranges a tick makes no estimate of its own.
+TEST(FusedEstimator, ATickWaitsForTheRanges)
+{
+  Rig rig(3, uncalibrated());
+  rig.robot.drive(0.0, 0.1, 0.0, 1.0);
+  const StairEstimate before = rig.estimate();
+  ASSERT_FALSE(
+    rig.estimator.add_gyro({rig.robot.now + milliseconds(5), 0.0}, rig.robot.now).is_refused());
+  rig.estimator.tick(rig.robot.now + milliseconds(5));
+  EXPECT_EQ(rig.estimate().stamp, before.stamp);
+  EXPECT_EQ(rig.estimate().pose.y_m, before.pose.y_m);
+}
+
 // The motion goes on as it was, and the doubt with it; the next sample knows better.
 TEST(FusedEstimator, PredictsWhenItsInputsAreSilent)
 {
