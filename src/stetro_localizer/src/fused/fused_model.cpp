@@ -16,7 +16,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <variant>
 
 #include "stetro_localizer/fused/cone.hpp"
 #include "stetro_localizer/fused/motion_aiding.hpp"
@@ -88,9 +87,6 @@ FusedCore FusedModel::begin() const
 void FusedModel::take(FusedCore & core, const Sample & sample) const
 {
   std::visit([&](const auto & one) { take_one(core, one); }, sample);
-  if (const auto * ranges = std::get_if<RangeSample>(&sample)) {
-    gauge_tread_ahead(core, *ranges);
-  }
 }
 
 void FusedModel::advance(FusedCore & core, Nanoseconds time) const
@@ -181,7 +177,14 @@ Outcome FusedModel::use(
   FusedCore & core, Source source, const Expectation & expectation, double measured,
   double variance, const Corrects & corrects) const
 {
-  const Innovation innovation = core.filter.innovation(expectation, measured, variance);
+  return use(
+    core, source, expectation, core.filter.innovation(expectation, measured, variance), corrects);
+}
+
+Outcome FusedModel::use(
+  FusedCore & core, Source source, const Expectation & expectation, const Innovation & innovation,
+  const Corrects & corrects) const
+{
   SourceReport & report = core.reports[source];
   report.innovation = innovation.value;
   report.innovation_variance = innovation.variance;

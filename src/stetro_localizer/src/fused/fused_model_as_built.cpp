@@ -16,7 +16,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "stetro_localizer/front_reference.hpp"
 #include "stetro_localizer/fused/fused_model.hpp"
@@ -146,13 +145,6 @@ void FusedModel::gauge_tread_ahead(FusedCore & core, const RangeSample & sample)
       state[kStateTreadAhead] + (reading.range_m - expected.value()) / per_depth,
       range_variance_m2(reading.range_m) / squared(per_depth));
   }
-}
-
-bool FusedModel::cone_is_clear(double beam_z_m, int riser, double range_m) const
-{
-  const double clear_m =
-    std::min(beam_z_m - flight_.tread_z_m(riser - 1), flight_.tread_z_m(riser) - beam_z_m);
-  return range_m * std::tan(robot_.range_sensor.cone_rad / 2.0) <= clear_m;
 }
 
 }  // namespace stetro_localizer

@@ -123,12 +123,13 @@ void FusedModel::take_riser_switch(FusedCore & core, Side side, const ContactSam
 Outcome FusedModel::use_contact(
   FusedCore & core, Source source, const Expectation & gap, int axis, double variance) const
 {
-  const Innovation innovation = core.filter.innovation(gap, 0.0, variance);
+  Innovation innovation = core.filter.innovation(gap, 0.0, variance);
   const double surprise_m2 = squared(innovation.value);
   if (innovation.nis() > gate_ && surprise_m2 < squared(params_.fused.contact_gate_m)) {
     explain_surprise(core, axis, surprise_m2);
+    innovation = core.filter.innovation(gap, 0.0, variance);  // by the doubt that is known now
   }
-  const Outcome outcome = use(core, source, gap, 0.0, variance);
+  const Outcome outcome = use(core, source, gap, innovation);
   if (outcome == Outcome::kFused) {
     core.slips[axis].clear();  // it has been corrected
     core.doubted[axis] = false;

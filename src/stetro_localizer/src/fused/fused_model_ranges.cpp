@@ -82,6 +82,7 @@ void FusedModel::take_one(FusedCore & core, const RangeSample & sample) const
   take_front(core, fronts_[1], confirmed[Place::kFrontRight]);
   take_block3_front(core, confirmed[Place::kBlock3Front]);
   watch_pairs(core, confirmed);
+  gauge_tread_ahead(core, sample);
 }
 
 // A sensor whose target is out of reach now and then reports what is not there; twice in a row the
@@ -114,16 +115,15 @@ void FusedModel::take_side(FusedCore & core, Side side, const RangeReading & rea
   }
   const Expectation expected = aiding.expect(core.filter.state());
   // What answers from nearer than a wall that is out of reach is not the wall.
-  const double variance = range_variance_m2(expected.value());
-  const double spread_m =
-    std::sqrt(gate_ * core.filter.innovation(expected, reading.range_m, variance).variance);
+  const Innovation innovation =
+    core.filter.innovation(expected, reading.range_m, range_variance_m2(expected.value()));
+  const double spread_m = std::sqrt(gate_ * innovation.variance);
   if (expected.value() - spread_m > robot_.range_sensor.reliable_range_m) {
     core.reports[source].note({Outcome::kNotVisible, Refusal::kNone});
     return;
   }
   const double y_variance = core.filter.variance(kStateY);
-  const Outcome outcome =
-    use(core, source, expected, reading.range_m, variance, side_corrects(core));
+  const Outcome outcome = use(core, source, expected, innovation, side_corrects(core));
   const SourceReport & report = core.reports[source];
   note_slip(core, kStateY, left ? -report.innovation : report.innovation, report, y_variance);
   if (outcome == Outcome::kFused) {
@@ -148,12 +148,18 @@ Corrects FusedModel::side_corrects(const FusedCore & core) const
   return corrects;
 }
 
+// By the difference of two ranges, each with an error of this variance [rad^2].
+double FusedModel::heading_variance_of_pair(double variance_m2) const
+{
+  return 2.0 * variance_m2 / squared(robot_.front_baseline_m());
+}
+
 // The pair tells the heading as well as it is calibrated and no better, however often it is asked.
 Corrects FusedModel::front_corrects(const FusedCore & core, double range_m) const
 {
   const FusedPriors & prior = params_.fused.priors;
   const double error_m = std::hypot(prior.range_offset_m, prior.range_gain * range_m);
-  const double told = 2.0 * squared(error_m / robot_.front_baseline_m());  // variance [rad^2]
+  const double told = heading_variance_of_pair(squared(error_m));
   const double variance = core.filter.variance(kStateYaw);
   if (variance < told / squared(kKnownBetter)) {
     return Corrects::all();
@@ -168,8 +174,7 @@ Corrects FusedModel::front_corrects(const FusedCore & core, double range_m) cons
 // good enough to begin with, and for no more than this, however often it is asked.
 Corrects FusedModel::clipped_corrects(const FusedCore & core, double shift_m2) const
 {
-  const double told = 2.0 * shift_m2 / squared(robot_.front_baseline_m());  // variance [rad^2]
-  return core.filter.variance(kStateYaw) < told
+  return core.filter.variance(kStateYaw) < heading_variance_of_pair(shift_m2)
            ? Corrects::only(kStateX)
            : holding(Corrects::all(), {Ranger::kFrontLeft, Ranger::kFrontRight});
 }
@@ -201,10 +206,8 @@ void FusedModel::take_front(
     core.filter.state(), static_cast<SeenRiser>(beyond), beyond == 2 ? tread_m(*seen - 1) : 0.0);
   // Past the edges of the riser the cone takes in the tread below and the one above. That shortens
   // the reading, so it must not be what tells that the cone is clear.
-  const double clear_m =
-    std::min(beam_z_m - flight_.tread_z_m(*seen - 1), flight_.tread_z_m(*seen) - beam_z_m);
   const double far_m = std::max(reading.range_m, expected.value());
-  const bool clipped = far_m * std::tan(robot_.range_sensor.cone_rad / 2.0) > clear_m;
+  const bool clipped = !cone_is_clear(beam_z_m, *seen, far_m);
   // What else it sees shifts all readings alike: no number of them tells more than this of x.
   const double shift = squared(params_.fused.noise.clipped_share * far_m);
   if (clipped && core.filter.variance(kStateX) < shift) {
@@ -271,6 +274,14 @@ std::optional<SeenRiser> FusedModel::block3_sees(const FusedCore & core, double 
     return std::nullopt;
   }
   return static_cast<SeenRiser>(beyond);
+}
+
+// Nothing but the face of that riser is in the cone of a level beam.
+bool FusedModel::cone_is_clear(double beam_z_m, int riser, double range_m) const
+{
+  const double clear_m =
+    std::min(beam_z_m - flight_.tread_z_m(riser - 1), flight_.tread_z_m(riser) - beam_z_m);
+  return range_m * std::tan(robot_.range_sensor.cone_rad / 2.0) <= clear_m;
 }
 
 // The side walls end some way before and behind the flight. A cone that looks past an end measures

@@ -115,11 +115,15 @@ private:
   Outcome use(
     FusedCore & core, Source source, const Expectation & expectation, double measured,
     double variance, const Corrects & corrects = Corrects::all()) const;
+  Outcome use(
+    FusedCore & core, Source source, const Expectation & expectation, const Innovation & innovation,
+    const Corrects & corrects = Corrects::all()) const;
 
   [[nodiscard]] double tread_m(int step) const;
   [[nodiscard]] double edge_ahead_m(int step) const;
   [[nodiscard]] double range_variance_m2(double range_m) const;
   [[nodiscard]] Corrects side_corrects(const FusedCore & core) const;
+  [[nodiscard]] double heading_variance_of_pair(double variance_m2) const;
   [[nodiscard]] Corrects front_corrects(const FusedCore & core, double range_m) const;
   [[nodiscard]] Corrects clipped_corrects(const FusedCore & core, double shift_m2) const;
   [[nodiscard]] bool wall_fills_cone(const FusedCore & core, double range_m) const;
