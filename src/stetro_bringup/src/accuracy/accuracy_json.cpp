@@ -18,6 +18,7 @@
 #include "accuracy/accuracy_report.hpp"
 #include "accuracy/json_figures.hpp"
 #include "accuracy/noticing.hpp"
+#include "accuracy/proportion.hpp"
 
 namespace stetro_bringup
 {

@@ -74,9 +74,7 @@ std::string bounds_of(const Interval & bounds)
 
 std::string percent(std::uint64_t part, std::uint64_t whole)
 {
-  const double share =
-    whole == 0 ? std::nan("") : static_cast<double>(part) / static_cast<double>(whole);
-  return number(100.0 * share, "%.2f %%");
+  return number(100.0 * share_of(part, whole), "%.2f %%");
 }
 
 std::string bounds_of(std::uint64_t count, std::uint64_t of)

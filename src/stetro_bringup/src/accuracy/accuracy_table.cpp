@@ -37,10 +37,7 @@ std::string line(const char * format, Values... values)
   return text.data();
 }
 
-double percent(std::uint64_t part, std::uint64_t whole)
-{
-  return whole == 0 ? std::nan("") : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
-}
+double percent(std::uint64_t part, std::uint64_t whole) { return 100.0 * share_of(part, whole); }
 
 std::string error_table(const EstimatorTotals & totals)
 {

@@ -28,11 +28,6 @@ namespace
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double kToleratedExceedance_s = 1.0;
 
-double share_of(std::uint64_t part, std::uint64_t whole)
-{
-  return whole == 0 ? kUnknown : static_cast<double>(part) / static_cast<double>(whole);
-}
-
 /// For what may be missing: an estimate need not give levels, and a variance may be no number.
 template <class Sums>
 void add_known(Sums & to, double value)

@@ -38,11 +38,6 @@ Json bounded(Json json, const Interval & bounds, double at_most)
 
 Json known(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
-double share_of(std::uint64_t part, std::uint64_t whole)
-{
-  return whole == 0 ? std::nan("") : static_cast<double>(part) / static_cast<double>(whole);
-}
-
 Json rate(std::uint64_t count, std::uint64_t of)
 {
   return bounded(

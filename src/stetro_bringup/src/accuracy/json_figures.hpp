@@ -29,9 +29,6 @@ using Json = nlohmann::ordered_json;
 /// JSON has no NaN: what is not known is null.
 [[nodiscard]] Json known(double value);
 
-/// \return NaN of nothing
-[[nodiscard]] double share_of(std::uint64_t part, std::uint64_t whole);
-
 /// A count out of so many, and what it says of the rate behind it.
 [[nodiscard]] Json rate(std::uint64_t count, std::uint64_t of);
 

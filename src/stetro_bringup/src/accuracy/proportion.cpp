@@ -45,6 +45,11 @@ double log_choose(std::uint64_t n, std::uint64_t k)
 
 }  // namespace
 
+double share_of(std::uint64_t part, std::uint64_t whole)
+{
+  return whole == 0 ? std::nan("") : static_cast<double>(part) / static_cast<double>(whole);
+}
+
 double binomial_at_most(std::uint64_t k, std::uint64_t n, double rate)
 {
   if (k >= n || rate <= 0.0) {

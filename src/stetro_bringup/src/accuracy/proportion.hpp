@@ -20,6 +20,9 @@
 namespace stetro_bringup
 {
 
+/// Part / whole. \return NaN of nothing
+[[nodiscard]] double share_of(std::uint64_t part, std::uint64_t whole);
+
 /// Bounds of a proportion.
 struct Interval
 {
