@@ -74,6 +74,21 @@ double signed_area_m2(const Polygon & polygon)
   return 0.5 * twice;
 }
 
+bool encloses(const Polygon & polygon, const Eigen::Vector2d & point_m)
+{
+  // A ray along +x crosses the line an odd number of times; an edge holds its lower end only.
+  bool is_inside = false;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Point & a = polygon[i];
+    const Point & b = polygon[(i + 1) % polygon.size()];
+    if ((a.y() <= point_m.y()) != (b.y() <= point_m.y())) {
+      const double left = turn(a, b, point_m);
+      is_inside = is_inside != (b.y() > a.y() ? left > 0.0 : left < 0.0);
+    }
+  }
+  return is_inside;
+}
+
 std::string flaw_of(const Polygon & polygon)
 {
   const std::size_t n = polygon.size();

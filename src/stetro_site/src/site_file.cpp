@@ -14,12 +14,15 @@
 
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <string>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "flight_file.hpp"
 #include "stetro_config/map_reader.hpp"
+#include "stetro_site/map_file.hpp"
 #include "stetro_site/site.hpp"
 
 namespace stetro_site
@@ -64,20 +67,35 @@ PolygonWalls read_walls(MapReader map)
   return walls;
 }
 
-/// A map's path counts from the folder of the site file.
-GridMapFile read_grid_map(MapReader & floor)
+/// A map's path counts from the folder of the site file. Its faults are the site file's as well.
+GridMapFile read_grid_map(MapReader & floor, std::vector<std::string> & notes)
 {
   const auto written = floor.require<std::string>("map", NonEmpty{});
   const std::filesystem::path folder = std::filesystem::path{floor.origin().file}.parent_path();
-  const std::string path = (folder / written).string();
+  GridMapFile file{(folder / written).string(), nullptr};
   std::error_code ignored;
-  if (!written.empty() && !std::filesystem::is_regular_file(path, ignored)) {
-    floor.refuse("map", written, "a map_server YAML file; there is none at " + path);
+  if (written.empty()) {
+    return file;  // a fault already says so
   }
-  return {path};
+  if (!std::filesystem::is_regular_file(file.path, ignored)) {
+    floor.refuse("map", written, "a map_server YAML file; there is none at " + file.path);
+    return file;
+  }
+  Faults faults;
+  auto map = read_map(file.path, faults);
+  for (const auto & fault : faults) {
+    floor.refuse("map", written, "a map without faults; " + to_string(fault));
+  }
+  if (map) {
+    file.grid = std::make_shared<const OccupancyGrid>(std::move(map->grid));
+    for (const std::string & note : map->notes) {
+      notes.push_back(floor.name_of("map") + ": " + note);
+    }
+  }
+  return file;
 }
 
-Floor read_floor(MapReader & map)
+Floor read_floor(MapReader & map, std::vector<std::string> & notes)
 {
   Floor floor;
   floor.id = map.require<std::string>("id", Identifier{});
@@ -88,7 +106,7 @@ Floor read_floor(MapReader & map)
   floor.pose_in_map.z_m = elevation_m;
   auto walls = map.find_map("walls");
   if (map.has("map")) {
-    floor.drawing = read_grid_map(map);
+    floor.drawing = read_grid_map(map, notes);
     if (walls) {
       map.refuse("walls", "a map", "either map or walls");
     }
@@ -122,7 +140,7 @@ std::optional<Site> read_site(const std::string & path, Faults & faults)
   spec.tolerance_m = file.optional("tolerance_m", kDefaultTolerance, Within{0.0, 0.1});
   for (MapReader & map : file.require_maps("floors")) {
     remember(map, spec.origins);
-    spec.floors.push_back(read_floor(map));
+    spec.floors.push_back(read_floor(map, spec.notes));
     is_whole = is_whole && map.sound();
   }
   for (MapReader & map : file.find_maps("flights")) {

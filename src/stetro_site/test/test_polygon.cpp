@@ -33,6 +33,20 @@ TEST(Polygon, HasAnAreaWithTheSignOfItsTurn)
   EXPECT_NEAR(signed_area_m2(clockwise), -6.0, 1e-12);
 }
 
+TEST(Polygon, EnclosesWhatIsInsideWhicheverWayRound)
+{
+  Polygon clockwise = kEll;
+  std::reverse(clockwise.begin(), clockwise.end());
+  for (const Polygon & polygon : {kEll, clockwise}) {
+    EXPECT_TRUE(encloses(polygon, {0.5, 2.5}));
+    EXPECT_TRUE(encloses(polygon, {3.5, 0.5}));
+    EXPECT_FALSE(encloses(polygon, {2.0, 2.0})) << "in the corner that is left out";
+    EXPECT_FALSE(encloses(polygon, {-0.5, 1.0})) << "level with two corners";
+    EXPECT_TRUE(encloses(polygon, {0.5, 1.0})) << "level with two corners";
+    EXPECT_FALSE(encloses(polygon, {5.0, 0.0}));
+  }
+}
+
 TEST(Polygon, IsAWallWhenItNeverMeetsItself)
 {
   EXPECT_EQ(flaw_of(kEll), "");

@@ -184,16 +184,49 @@ TEST(SiteFile, RefusesWallsThatMeetThemselves)
     "accepted: a closed line of three corners or more that never meets itself\n");
 }
 
-TEST(SiteFile, KnowsThatAGridMapExists)
+/// The papers' staircase, its ground drawn as a map.
+std::string site_with(const std::string & map)
 {
-  const WrittenFile map{"image: ground.pgm\n"};
   const std::string floor = "elevation_m: 0.0\n";
-  const auto site_with = [&](const std::string & path) {
-    return with(shipped(kPapers), floor, floor + "    map: " + path + "\n");
-  };
+  return with(shipped(kPapers), floor, floor + "    map: " + map + "\n");
+}
+
+const char kMap[] =
+  "resolution: 0.05\norigin: [1, 2, 0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.25\n";
+
+TEST(SiteFile, ReadsTheGridMapOfAFloor)
+{
+  const WrittenFile image{"P2 3 1 255\n0 254 205\n"};
+  const WrittenFile map{"image: " + image.path() + "\n" + kMap};
   const WrittenFile file{site_with(map.path())};
   const Site site = load_site(file.path());
-  EXPECT_EQ(std::get<GridMapFile>(site.floor("ground").drawing).path, map.path());
+  const auto & drawing = std::get<GridMapFile>(site.floor("ground").drawing);
+  EXPECT_EQ(drawing.path, map.path());
+  ASSERT_NE(drawing.grid, nullptr);
+  EXPECT_EQ(drawing.grid->at(drawing.grid->cell_at({1.025, 2.025})), Cell::kOccupied);
+  ASSERT_EQ(site.notes().size(), 1U);
+  EXPECT_EQ(site.notes()[0].find("floors[0].map: " + map.path() + ": 1 cells of level 205"), 0U);
+}
+
+TEST(SiteFile, RefusesAFloorWhoseMapHasFaults)
+{
+  const WrittenFile image{"P2 3 1 255\n0 254\n"};
+  const WrittenFile map{"image: " + image.path() + "\n" + with(kMap, "[1,", "[.nan,")};
+  const std::string refused =
+    "floors[0].map: value '" + map.path() + "' refused, accepted: a map without faults; ";
+  EXPECT_EQ(
+    faults_of(site_with(map.path())),
+    refused + map.path() + ":1: image: value '" + image.path() +
+      ": ends after 2 pixels' refused, accepted: 3 = 3 x 1 pixels, as its header says\n" + refused +
+      map.path() +
+      ":3: origin: value '[.nan, 2, 0]' refused, accepted: a list of finite numbers, 3 of them, "
+      "each -1000000 to 1000000\n");
+}
+
+TEST(SiteFile, WantsOneDrawingOfAFloor)
+{
+  const WrittenFile image{"P2 1 1 255\n254\n"};
+  const WrittenFile map{"image: " + image.path() + "\n" + kMap};
   EXPECT_NE(faults_of(site_with("no_such.yaml")).find("floors[0].map: value"), std::string::npos);
   EXPECT_NE(
     faults_of(site_with(map.path() + "\n    walls: {outline: []}")).find("either map or walls"),

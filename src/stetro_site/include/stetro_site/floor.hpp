@@ -15,10 +15,12 @@
 #ifndef STETRO_SITE__FLOOR_HPP_
 #define STETRO_SITE__FLOOR_HPP_
 
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "stetro_site/occupancy_grid.hpp"
 #include "stetro_site/polygon.hpp"
 #include "stetro_site/pose.hpp"
 
@@ -32,10 +34,11 @@ struct PolygonWalls
   std::vector<Polygon> obstacles;  ///< columns and the like inside [m]
 };
 
-/// A floor drawn as a grid map in the ROS map_server format. It is known to exist, not yet read.
+/// A floor drawn as a grid map in the ROS map_server format.
 struct GridMapFile
 {
   std::string path;  ///< the YAML file of the map, absolute or relative to the working directory
+  std::shared_ptr<const OccupancyGrid> grid;  ///< what it says; null until it is read
 };
 
 /// How a floor is drawn; `std::monostate` if nobody has drawn it.

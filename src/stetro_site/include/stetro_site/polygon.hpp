@@ -28,6 +28,9 @@ using Polygon = std::vector<Eigen::Vector2d>;
 /// The area, positive when the corners run counter-clockwise [m^2].
 [[nodiscard]] double signed_area_m2(const Polygon & polygon);
 
+/// Whether a point is inside. Of points on an edge some are and some are not.
+[[nodiscard]] bool encloses(const Polygon & polygon, const Eigen::Vector2d & point_m);
+
 /// What is wrong with a polygon as a wall, in words; empty if nothing.
 /**
  * A wall has three corners or more, some area, and no edge that meets another except at the

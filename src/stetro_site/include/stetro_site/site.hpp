@@ -95,7 +95,7 @@ private:
  */
 [[nodiscard]] stetro_config::Faults check_graph(const SiteSpec & spec);
 
-/// Reads a site file. Nothing if a fault was added.
+/// Reads a site file and the grid maps it names. Nothing if a fault was added.
 [[nodiscard]] std::optional<Site> read_site(
   const std::string & path, stetro_config::Faults & faults);
 
