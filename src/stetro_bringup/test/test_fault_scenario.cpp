@@ -72,7 +72,7 @@ TEST(FaultScenario, TheSimulatorsOwnWordsAreOnesOfTheirOwn)
   const DrawnFaults drawn = draw_faults("dead:side_left@120", 1, kSteps);
   EXPECT_EQ(drawn.text, "dead:side_left@120");
   EXPECT_EQ(drawn.onset->at_s, 120.0);
-  EXPECT_EQ(drawn.onset->telling, TellingMotion::kAcross);
+  EXPECT_EQ(drawn.onset->telling, TellingMotion::kNearLeftWall);
 }
 
 TEST(FaultScenario, AllIsEveryOneAndAnUnknownOneIsRefused)

@@ -32,6 +32,7 @@ public:
   explicit Struck(TellingMotion telling = TellingMotion::kAny) : watch({kOnset_s, telling})
   {
     moment_.accepted = true;
+    moment_.truth.tread_width_m = 2.05;
     tick(1, Integrity::kOk);  // the last one before the onset
   }
 
@@ -60,7 +61,7 @@ private:
 
 TEST(FaultWatch, TimesTheMotionInWhichAFaultWasBelieved)
 {
-  Struck climb(TellingMotion::kAcross);
+  Struck climb(TellingMotion::kNearRightWall);
   climb.tick(30, Integrity::kOk);               // stands
   climb.tick(20, Integrity::kOk, 2e-4);         // up the stairs at 2 cm/s
   climb.tick(10, Integrity::kOk, 0.0, 1.5e-3);  // along the tread at 15 cm/s
@@ -84,10 +85,20 @@ TEST(FaultWatch, EachSensorHasItsTellingMotion)
     climb.tick(80, Integrity::kOk, 1e-5, 1e-5, 0.5e-4);  // creeps less than any motion
     return climb.watch.detection().telling_motion_s;
   };
-  EXPECT_DOUBLE_EQ(telling_s(TellingMotion::kAcross), 0.20);
+  EXPECT_DOUBLE_EQ(telling_s(TellingMotion::kNearRightWall), 0.20);
   EXPECT_DOUBLE_EQ(telling_s(TellingMotion::kAlong), 0.50) << "the front pair feels a turn, too";
   EXPECT_DOUBLE_EQ(telling_s(TellingMotion::kTurning), 0.40);
   EXPECT_DOUBLE_EQ(telling_s(TellingMotion::kAny), 0.70);
+}
+
+// From wall to wall at 15 cm/s, 2.05 m: either wall is in reach for 1.2 m, 8 s, of it.
+TEST(FaultWatch, ASideSensorTellsNothingOfAWallOutOfReach)
+{
+  for (const auto telling : {TellingMotion::kNearLeftWall, TellingMotion::kNearRightWall}) {
+    Struck climb(telling);
+    climb.tick(1366, Integrity::kOk, 0.0, 1.5e-3);
+    EXPECT_NEAR(climb.watch.detection().telling_motion_s, 8.0, 0.011);
+  }
 }
 
 // A hundred times 0.01 is not 1 when it is added up.

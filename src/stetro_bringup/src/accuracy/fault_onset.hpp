@@ -20,9 +20,10 @@ namespace stetro_bringup
 
 /// The motion in which a broken sensor must contradict the others.
 enum class TellingMotion {
-  kAcross,   ///< along the tread: what the side sensors see
-  kAlong,    ///< up the stairs or turning: what the front sensors see
-  kTurning,  ///< what the gyroscope feels
+  kNearLeftWall,   ///< along the tread with that wall in reach: what the left side sensor sees
+  kNearRightWall,  ///< the same on the right
+  kAlong,          ///< up the stairs or turning: what the front sensors see
+  kTurning,        ///< what the gyroscope feels
   kAny,
 };
 

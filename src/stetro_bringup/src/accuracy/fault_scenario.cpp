@@ -62,8 +62,8 @@ struct Device
   TellingMotion telling;
 };
 constexpr std::array<Device, 5> kDevices{{
-  {"side_left", TellingMotion::kAcross},
-  {"side_right", TellingMotion::kAcross},
+  {"side_left", TellingMotion::kNearLeftWall},
+  {"side_right", TellingMotion::kNearRightWall},
   {"front_left", TellingMotion::kAlong},
   {"front_right", TellingMotion::kAlong},
   {"gyro", TellingMotion::kTurning},

@@ -28,6 +28,8 @@ using stetro_localizer::Integrity;
 constexpr double kMoved_m = 2e-5;
 constexpr double kTurned_rad = 1e-4;
 
+constexpr double kReach_m = 1.2;  // of a ToF sensor: farther away it is not expected to see
+
 // By division: a hundred ticks are one second exactly.
 double seconds(std::uint64_t ticks) { return static_cast<double>(ticks) / 100.0; }
 
@@ -47,11 +49,13 @@ Motion motion_between(const GroundTruth & before, const GroundTruth & now)
     std::abs(now.yaw_rad - before.yaw_rad) > kTurned_rad};
 }
 
-bool tells(TellingMotion telling, const Motion & motion)
+bool tells(TellingMotion telling, const Motion & motion, const GroundTruth & now)
 {
   switch (telling) {
-    case TellingMotion::kAcross:
-      return motion.across;
+    case TellingMotion::kNearLeftWall:
+      return motion.across && now.tread_width_m - now.y_m < kReach_m;
+    case TellingMotion::kNearRightWall:
+      return motion.across && now.y_m < kReach_m;
     case TellingMotion::kAlong:
       return motion.along || motion.turning;
     case TellingMotion::kTurning:
@@ -84,7 +88,8 @@ void FaultWatch::count(const Moment & now)
   const Motion motion = motion_between(last_truth_.value_or(now.truth), now.truth);
   detection_.time_s = seconds(++ticks_);
   detection_.motion_s = seconds(moving_ticks_ += motion.any() ? 1 : 0);
-  detection_.telling_motion_s = seconds(telling_ticks_ += tells(onset_.telling, motion) ? 1 : 0);
+  detection_.telling_motion_s =
+    seconds(telling_ticks_ += tells(onset_.telling, motion, now.truth) ? 1 : 0);
 }
 
 }  // namespace stetro_bringup
