@@ -71,6 +71,7 @@ void Climb::start(const std::string & request_id, const std::string & issuer, in
   record.swept.resize(static_cast<std::size_t>(geometry_.steps()));
   memory_.record = record;
   memory_.trims = 0;
+  memory_.resweeps = 0;
   memory_.offset_pending = true;
   memory_.leg_mark = memory_.path;
   memory_.asked = Asked::kStart;

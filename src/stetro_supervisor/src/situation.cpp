@@ -26,9 +26,9 @@ namespace
 {
 
 /// Reasons of DEGRADED, as on the wire, that the next wall or riser takes away while standing still
-/// never would: no side range, no front reference, sides that do not add up, slip.
+/// never would: no side range, no front reference, sides that do not add up, slip, a doubt about y.
 constexpr std::uint32_t kBearableReasons =
-  kNoSideRange | kNoFrontReference | kClosureViolated | kSlip;
+  kNoSideRange | kNoFrontReference | kClosureViolated | kSlip | kProtectionExceeded;
 
 bool closed(const Contact & contact)
 {

@@ -19,6 +19,8 @@ namespace stetro_supervisor
 namespace
 {
 
+constexpr double kLookFirst_s = 2.0;  // before a tread is swept again: a flicker may pass
+
 template <Asked what>
 bool asked(const Situation & s)
 {
@@ -59,6 +61,21 @@ bool pose_is_back(const Situation & s) { return s.pose_settled(); }
 bool pose_flickers(const Situation & s)
 {
   return pose_is_back(s) && s.memory.rejoins >= s.params.max_rejoins;
+}
+
+/// What a wall would put right stays wrong while standing: the tread is swept again.
+bool walls_may_tell(const Situation & s)
+{
+  return s.pose_usable() && !s.pose_sound() && s.step() > 0 && s.seen.pose->step == s.step() &&
+         s.memory.record.state == State::kSquare && posture_of(s) == Posture::kStride &&
+         s.in_state_s() >= kLookFirst_s && s.memory.resweeps < s.params.max_resweeps;
+}
+
+void sweep_again(const Situation &, Memory & memory)
+{
+  ++memory.resweeps;
+  memory.record.leg = Leg::kFirst;
+  memory.leg_mark = memory.path;
 }
 
 void count_rejoin(const Situation &, Memory & memory) { ++memory.rejoins; }
@@ -117,7 +134,9 @@ std::vector<Row> standing_rows()
      {{"a person told the pose: goes on when asked to resume", asked<Asked::kRelocalise>,
        State::kHeld},
       {"the pose was lost too often on this step", pose_flickers, State::kFault, Fault::kPoseLost},
-      {"the pose is sound again", pose_is_back, State::kRejoin, Fault::kNone, count_rejoin}},
+      {"the pose is sound again", pose_is_back, State::kRejoin, Fault::kNone, count_rejoin},
+      {"only a wall can put it right", walls_may_tell, State::kSteerAcross, Fault::kNone,
+       sweep_again}},
      true,
      false});
   rows.push_back(waiting(State::kPaused, "pause asked", {resume}));

@@ -101,6 +101,7 @@ void take_step(const Situation &, Memory & memory)
   memory.realigns = 0;
   memory.relifts = 0;
   memory.rejoins = 0;
+  memory.resweeps = 0;
 }
 
 Row lower_block2()

@@ -200,6 +200,35 @@ TEST_F(MissionTest, FinishesASweepOnADegradedPoseButStartsNoClimb)
   ASSERT_TRUE(run_to_state(climb, robot, State::kLiftBlock2, 20.0)) << where(climb, robot);
 }
 
+TEST_F(MissionTest, SweepsAgainWhereOnlyAWallCanPutThePoseRight)
+{
+  start();
+  ASSERT_TRUE(run_to_state(climb, robot, State::kSweepToMiddle, 100.0)) << where(climb, robot);
+  robot.meddle = [](Observation & o) {
+    o.pose->integrity = Integrity::kDegraded;
+    o.pose->reasons = kClosureViolated | kProtectionExceeded;
+  };
+  ASSERT_TRUE(run_to_state(climb, robot, State::kWaitPose, 100.0)) << where(climb, robot);
+  ASSERT_TRUE(run_to_state(climb, robot, State::kSweepLeft, 20.0)) << where(climb, robot);
+  ASSERT_TRUE(run_to_state(climb, robot, State::kSweepRight, 100.0)) << where(climb, robot);
+  robot.meddle = nullptr;  // the left wall has told
+  ASSERT_TRUE(run_to_state(climb, robot, State::kLiftBlock2, 100.0)) << where(climb, robot);
+}
+
+TEST_F(MissionTest, SweepsAgainOnceAndWaitsThen)
+{
+  start();
+  ASSERT_TRUE(run_to_state(climb, robot, State::kSweepToMiddle, 100.0)) << where(climb, robot);
+  robot.meddle = [](Observation & o) {
+    o.pose->integrity = Integrity::kDegraded;
+    o.pose->reasons = kClosureViolated;
+  };
+  ASSERT_TRUE(run_to_state(climb, robot, State::kSweepLeft, 100.0)) << where(climb, robot);
+  ASSERT_TRUE(run_to_state(climb, robot, State::kWaitPose, 200.0)) << where(climb, robot);
+  ASSERT_TRUE(run_to_state(climb, robot, State::kFault, 200.0)) << where(climb, robot);
+  EXPECT_EQ(climb.fault(), Fault::kPoseLost);
+}
+
 TEST_F(MissionTest, AStepInDoubtStopsAtOnce)
 {
   start();

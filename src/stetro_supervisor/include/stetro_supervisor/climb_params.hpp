@@ -82,6 +82,7 @@ struct ClimbParams
   double pose_silence_s = 0.5;
   double pose_settle_s = 0.3;
   std::int64_t max_rejoins = 10;
+  std::int64_t max_resweeps = 1;
   double refusal_s = 0.5;
   // time limits of the states
   double steer_limit_s = 5.0;
@@ -219,6 +220,9 @@ void visit(ClimbParams & p, Visitor && each)
   each(
     "silence.max_rejoins", p.max_rejoins, Within{0, 1000},
     "times on one step that the robot goes on by itself after waiting for the pose");
+  each(
+    "silence.max_resweeps", p.max_resweeps, Within{0, 100},
+    "times that a tread is swept again to touch its walls, when y is doubted");
   each(
     "silence.refusal_s", p.refusal_s, Within{0.1, 10.0},
     "time of commands being refused that is a fault [s]");

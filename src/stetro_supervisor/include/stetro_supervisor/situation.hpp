@@ -70,6 +70,7 @@ struct Memory
   int realigns = 0;              ///< at this riser
   int relifts = 0;               ///< of block 2 on this tread
   int rejoins = 0;               ///< on this step without an operator, after a doubtful pose
+  int resweeps = 0;              ///< of this tread, to touch its walls again
   int skew_side = 0;             ///< riser switch that closed alone: +1 left, -1 right
   double realign_rad = 0.0;      ///< turn that is to square the robot, CCW positive
   double rolled_before_m = 0.0;  ///< of record.rolled_m, before this state was entered

@@ -32,6 +32,7 @@ namespace stetro_supervisor
  *   Held, Paused            --(resume)--> Rejoin      WaitPose --(pose sound again)--> Rejoin
  *   WaitPose                --(sound again, but lost too often on this step)--> Fault
  *   WaitPose                --(a person tells the pose)--> Held
+ *   WaitPose                --(only a wall can put it right, from Square)--> SteerAcross
  *   Rejoin --(posture, step and mission agree)--> the state to go on from, see `rejoin.hpp`
  *
  *   to the first riser (D3-9)
