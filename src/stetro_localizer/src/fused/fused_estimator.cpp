@@ -203,10 +203,12 @@ void FusedEstimator::refresh_position()
 {
   const FusedCore & core = history_.core();
   const ErrorStateFilter & filter = core.filter;
+  const double x_m = filter[kStateX] + core.hand_over.withheld_m(kStateX, core.time);
+  const double y_m = filter[kStateY] + core.hand_over.withheld_m(kStateY, core.time);
   estimate_.step = core.located_on;
   estimate_.step_probability = core.steps.probability();
-  estimate_.pose = {kUnknown, filter[kStateY], kUnknown, filter[kStateYaw]};
-  estimate_.tread_y_m = filter[kStateY];
+  estimate_.pose = {kUnknown, y_m, kUnknown, filter[kStateYaw]};
+  estimate_.tread_y_m = y_m;
   estimate_.tread_x_m = estimate_.riser_ahead_m = kUnknown;
   estimate_.measured_x_m.reset();
   estimate_.block_heights_m =
@@ -215,14 +217,14 @@ void FusedEstimator::refresh_position()
     return;
   }
   const int step = *core.located_on;
-  estimate_.pose.x_m = core.edge_x_m + filter[kStateX];
+  estimate_.pose.x_m = core.edge_x_m + x_m;
   estimate_.pose.z_m = core.rise_m;  // base_link is on the tread, block 2 may be above it
   if (step > 0) {
-    estimate_.tread_x_m = filter[kStateX] + filter[kStateTreadHere];
+    estimate_.tread_x_m = x_m + filter[kStateTreadHere];
   }
   if (step < flight_.steps()) {
-    const double off_middle_m = filter[kStateY] - filter[kStateWidth] / 2.0;
-    estimate_.riser_ahead_m = off_middle_m * std::tan(filter[kStateRiserAhead]) - filter[kStateX];
+    const double off_middle_m = y_m - filter[kStateWidth] / 2.0;
+    estimate_.riser_ahead_m = off_middle_m * std::tan(filter[kStateRiserAhead]) - x_m;
   }
 }
 
@@ -240,6 +242,10 @@ void FusedEstimator::refresh_covariance()
     for (const auto & [column, j] : map) {
       on_tread(row, column) = P(i, j);
     }
+  }
+  for (const int axis : {kStateX, kStateY}) {  // of the pose, too
+    const double withheld_m = core.hand_over.withheld_m(static_cast<std::size_t>(axis), core.time);
+    on_tread(axis, axis) += withheld_m * withheld_m;
   }
   on_tread(2, 2) = kLevel * kLevel;
   on_tread(3, 3) = on_tread(4, 4) = kTilt * kTilt;

@@ -44,17 +44,26 @@ void FusedEstimator::refresh_protection()
   const auto bound = [this](int axis) {
     return risk_quantile_ * std::sqrt(estimate_.tread_covariance(axis, axis));
   };
-  // A slip is rare and long, no part of a normal distribution: it adds as a whole.
-  const auto slip_m = [&](bool in_sight) {
-    const FusedAlerts & alert = params_.fused.alerts;
-    return in_sight ? alert.unnoticed_slip_m : alert.unseen_slip_m;
+  // A slip is rare and long, no part of a normal distribution: it adds as a whole. So does a turn
+  // that the gyroscope does not tell.
+  const FusedAlerts & alert = params_.fused.alerts;
+  const auto slip_m = [&](int axis, bool in_sight) {
+    const double suspected_m = model_.suspected_slip_m(core, axis);
+    return std::max(in_sight ? alert.unnoticed_slip_m : alert.unseen_slip_m, suspected_m);
   };
   const bool riser =
     recent(Ranger::kFrontLeft) || recent(Ranger::kFrontRight) || recent(Ranger::kBlock3Front);
   const bool wall = recent(Ranger::kSideLeft) || recent(Ranger::kSideRight);
-  estimate_.protection_along_m = known ? bound(0) + slip_m(riser) : kUnknown;
-  estimate_.protection_across_m = known ? bound(1) + slip_m(wall) : kUnknown;
-  estimate_.protection_heading_rad = known ? bound(5) : kUnknown;
+  const auto level_m = [&](int axis, bool in_sight) {
+    return known ? bound(axis) + slip_m(axis, in_sight) + std::abs(core.unconfirmed_m[axis])
+                 : kUnknown;
+  };
+  const bool pair = recent(Ranger::kFrontLeft) && recent(Ranger::kFrontRight);
+  const double turn_rad = std::max(
+    pair ? alert.unnoticed_turn_rad : alert.unseen_turn_rad, model_.suspected_turn_rad(core));
+  estimate_.protection_along_m = level_m(kStateX, riser);
+  estimate_.protection_across_m = level_m(kStateY, wall);
+  estimate_.protection_heading_rad = known ? bound(5) + turn_rad : kUnknown;
   estimate_.integrity_risk = params_.fused.integrity_risk;
 }
 
@@ -79,7 +88,7 @@ std::uint32_t FusedEstimator::sensor_reasons() const
   std::uint32_t reasons = flag(silent_, kInputSilent) | flag(model_.gyro_stuck(core), kSensorStuck);
   for (const RangeMonitor & monitor : core.monitors) {
     reasons |= flag(monitor.dead(core.time, core.since, alert.dead_s), kSensorDead);
-    reasons |= flag(monitor.stuck(), kSensorStuck);
+    reasons |= flag(monitor.stuck() || monitor.blind(), kSensorStuck);
   }
   for (std::size_t i = 0; i < kRangerCount; ++i) {
     const auto ranger = static_cast<Ranger>(i);

@@ -68,7 +68,8 @@ FusedCore FusedModel::begin() const
   FusedCore core(
     step_model_, params_.standstill,
     SlipWatch(params_.fused.slip_m, params_.fused.slip_false_alarm),
-    SlipWatch(kWidthJump, kRareAlarm), SlipWatch(kPairJump, kRareAlarm));
+    SlipWatch(kWidthJump, kRareAlarm), SlipWatch(kPairJump, kRareAlarm),
+    HandOver(params_.fused.hand_over_s));
   const FusedPriors & prior = params_.fused.priors;
   const double width_m = flight_.width_m(0.0);
   core.filter.set(kStateY, width_m / 2.0, squared(width_m) / 12.0);
@@ -228,6 +229,8 @@ void FusedModel::locate(FusedCore & core, int step) const
   for (SlipWatch & watch : core.slips) {
     watch.clear();
   }
+  core.hand_over.let_out(kStateX);
+  core.hand_over.let_out(kStateY);
   core.closure = ContactClosure(width_m, robot_.contact_width_m);
   ++core.jumps;
 }

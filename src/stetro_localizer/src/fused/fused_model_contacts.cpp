@@ -132,6 +132,8 @@ Outcome FusedModel::use_contact(
   const Outcome outcome = use(core, source, gap, innovation);
   if (outcome == Outcome::kFused) {
     core.slips[axis].clear();  // it has been corrected
+    core.unconfirmed_m[axis] = 0.0;
+    core.hand_over.let_out(static_cast<std::size_t>(axis));
     core.doubted[axis] = false;
     ++core.landmarks;
   }

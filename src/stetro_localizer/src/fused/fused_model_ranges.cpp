@@ -31,6 +31,7 @@ constexpr double kSteady = 6.0;        // standard deviations between one readin
 constexpr double kFastest = 0.5;       // a range changes [m/s]
 constexpr double kKnownBetter = 3.0;   // another source told the heading so many times better
 constexpr double kSureOfSide = 3.0;    // standard deviations of the heading
+constexpr double kSurelySeen = 0.9;    // of the reach: a wall so near is not missed for long
 constexpr double kResolution = 0.001;  // readings come in whole millimetres [m]
 
 constexpr std::array<std::pair<Ranger, Place>, kWatchedCount> kWatched{{
@@ -48,6 +49,26 @@ Corrects holding(Corrects corrects, std::array<Ranger, 2> calibrations)
     corrects = corrects.but(offset_index(ranger)).but(gain_index(ranger));
   }
   return corrects;
+}
+
+constexpr std::array<Source, 5> kRangeSources{
+  Source::kSideLeft, Source::kSideRight, Source::kFrontLeft, Source::kFrontRight,
+  Source::kBlock3Front};
+
+/// Those whose target is in sight, believed or not: a bit for each.
+std::uint32_t in_sight(const SourceReports & reports)
+{
+  std::uint32_t bits = 0;
+  for (const Source source : kRangeSources) {
+    const Outcome outcome = reports[source].outcome;
+    bits = bits << 1U | (outcome == Outcome::kFused || outcome == Outcome::kGated ? 1U : 0U);
+  }
+  return bits;
+}
+
+bool misses(const RangeReading & reading)
+{
+  return reading.status == RangeStatus::kNoTarget || reading.status == RangeStatus::kWeak;
 }
 
 }  // namespace
@@ -76,11 +97,15 @@ void FusedModel::take_one(FusedCore & core, const RangeSample & sample) const
   if (!core.located_on) {
     return;
   }
+  const std::array<double, 2> before{core.filter[kStateX], core.filter[kStateY]};
   take_side(core, Side::kLeft, confirmed[Place::kSideLeft]);
   take_side(core, Side::kRight, confirmed[Place::kSideRight]);
   take_front(core, fronts_[0], confirmed[Place::kFrontLeft]);
   take_front(core, fronts_[1], confirmed[Place::kFrontRight]);
   take_block3_front(core, confirmed[Place::kBlock3Front]);
+  core.hand_over.note(
+    in_sight(core.reports), core.time,
+    {core.filter[kStateX] - before[0], core.filter[kStateY] - before[1]});
   watch_pairs(core, confirmed);
   gauge_tread_ahead(core, sample);
 }
@@ -105,20 +130,22 @@ void FusedModel::take_side(FusedCore & core, Side side, const RangeReading & rea
     return;
   }
   const SideRangeAiding & aiding = sides_[left ? 0 : 1];
-  if (
-    !walled || reading.status != RangeStatus::kValid ||
-    core.monitors[static_cast<std::size_t>(aiding.ranger())].stuck() ||
-    !wall_fills_cone(core, reading.range_m) ||
-    reading.range_m > robot_.range_sensor.reliable_range_m) {
-    core.reports[source].note({Outcome::kNotVisible, Refusal::kNone});
-    return;
-  }
+  RangeMonitor & monitor = core.monitors[static_cast<std::size_t>(aiding.ranger())];
+  const double reach_m = robot_.range_sensor.reliable_range_m;
   const Expectation expected = aiding.expect(core.filter.state());
-  // What answers from nearer than a wall that is out of reach is not the wall.
   const Innovation innovation =
     core.filter.innovation(expected, reading.range_m, range_variance_m2(expected.value()));
   const double spread_m = std::sqrt(gate_ * innovation.variance);
-  if (expected.value() - spread_m > robot_.range_sensor.reliable_range_m) {
+  if (
+    walled && misses(reading) && expected.value() + spread_m < kSurelySeen * reach_m &&
+    wall_fills_cone(core, expected.value())) {
+    monitor.miss();
+  }
+  // What answers from nearer than a wall that is out of reach is not the wall.
+  const bool in_reach = expected.value() - spread_m <= reach_m && reading.range_m <= reach_m;
+  if (
+    !walled || !in_reach || reading.status != RangeStatus::kValid || monitor.stuck() ||
+    !wall_fills_cone(core, reading.range_m)) {
     core.reports[source].note({Outcome::kNotVisible, Refusal::kNone});
     return;
   }

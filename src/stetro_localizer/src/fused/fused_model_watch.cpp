@@ -45,6 +45,12 @@ double squared(double value) { return value * value; }
 
 }  // namespace
 
+// Before the first contact what shifts a range may as well be its calibration.
+bool FusedModel::calibrated(const FusedCore & core, int axis) const
+{
+  return core.filter.variance(axis) < squared(params_.fused.priors.range_offset_m / 2.0);
+}
+
 void FusedModel::note_slip(
   FusedCore & core, int axis, double innovation_m, const SourceReport & report,
   double variance_before) const
@@ -56,9 +62,7 @@ void FusedModel::note_slip(
     return;
   }
   double & lately_m = core.slipped_m[axis];
-  // Before the first contact the calibration shifts them, too.
-  const bool known = filter.variance(axis) < squared(params_.fused.priors.range_offset_m / 2.0);
-  lately_m += known ? slip->shift_m : 0.0;
+  lately_m += calibrated(core, axis) ? slip->shift_m : 0.0;
   const bool standing = core.time - core.rolled_at > kNoSlipBehind;
   const double most_m = standing
                           ? params_.fused.most_slip_m / 2.0 + kSure * std::sqrt(slip->variance_m2)
@@ -69,7 +73,27 @@ void FusedModel::note_slip(
   } else if (!standing) {
     filter.shift(axis, slip->shift_m, slip->variance_m2);
     core.slipping_until = core.time + kSlipGoesOn;
+    core.unconfirmed_m[axis] += told_by_one(core, axis) ? slip->shift_m : 0.0;
   }
+}
+
+// To a single sensor a slip and a fault of its own look alike.
+bool FusedModel::told_by_one(const FusedCore & core, int axis) const
+{
+  const RangerPair & pair = axis == kStateX ? kFrontPair : kSidePair;
+  return !std::all_of(pair.begin(), pair.end(), [&core](const PairedRanger & one) {
+    return seconds(core.time - core.used_at[static_cast<std::size_t>(one.ranger)]) < kJust;
+  });
+}
+
+double FusedModel::suspected_slip_m(const FusedCore & core, int axis) const
+{
+  return calibrated(core, axis) ? core.slips[axis].suspected_m() : 0.0;
+}
+
+double FusedModel::suspected_turn_rad(const FusedCore & core) const
+{
+  return core.turn_watch.suspected_m() / robot_.front_baseline_m();
 }
 
 // Before a contact, which is about to tell where the robot is, a false alarm costs little, while a
@@ -88,12 +112,17 @@ void FusedModel::take_suspected_slip(FusedCore & core, int axis) const
 void FusedModel::explain_surprise(FusedCore & core, int axis, double surprise_m2) const
 {
   StateVector together = StateVector::Unit(axis);
-  const double of_offset =
-    std::min(1.0, params_.fused.priors.range_offset_m / std::sqrt(surprise_m2));
+  const double surprise_m = std::sqrt(surprise_m2);
+  const double of_offset = std::min(1.0, params_.fused.priors.range_offset_m / surprise_m);
+  // More than an offset is likely to be, or what was taken for a slip was none.
+  const bool of_gain = of_offset < 1.0 || std::abs(core.unconfirmed_m[axis]) > surprise_m / 2.0;
   for (const PairedRanger & one : axis == kStateX ? kFrontPair : kSidePair) {
     const Nanoseconds used_at = core.used_at[static_cast<std::size_t>(one.ranger)];
     if (seconds(core.time - used_at) < kJust) {
       together[offset_index(one.ranger)] = -one.outward * of_offset;
+      if (of_gain) {
+        core.filter.inflate(gain_index(one.ranger), squared(params_.fused.priors.range_gain));
+      }
     }
   }
   core.filter.inflate(together, surprise_m2);
@@ -104,7 +133,7 @@ void FusedModel::explain_surprise(FusedCore & core, int axis, double surprise_m2
 // them.
 void FusedModel::watch_pairs(FusedCore & core, const RangeSample & sample) const
 {
-  if (core.filter.variance(kStateY) > squared(params_.fused.priors.range_offset_m / 2.0)) {
+  if (!calibrated(core, kStateY)) {
     return;
   }
   Expectation sum(0.0);

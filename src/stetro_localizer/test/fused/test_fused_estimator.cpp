@@ -192,7 +192,7 @@ TEST(FusedEstimator, BadRangesAreRefusedAndCounted)
   EXPECT_EQ(report.refused[static_cast<std::size_t>(Refusal::kNegative)], 1u);
   EXPECT_EQ(report.refused[static_cast<std::size_t>(Refusal::kZeroStamp)], 2u);
   EXPECT_EQ(rig.estimator.add_ranges(none, now).refusal, Refusal::kOutOfOrder) << "twice the same";
-  EXPECT_EQ(rig.estimate().pose.y_m, y_m);
+  EXPECT_NEAR(rig.estimate().pose.y_m, y_m, 1e-4);
 }
 
 // Between two arrays of ranges a tick makes no estimate of its own.
@@ -295,30 +295,36 @@ TEST(FusedEstimator, SaysThatNoSideRangeIsLeft)
   EXPECT_EQ(rig.estimate().integrity, Integrity::kDegraded);
 }
 
-/// What a slip adds to the protection levels along and across: the rest is the filter's doubt.
-std::array<double, 2> slip_shares_m(const StairEstimate & estimate)
+/// What slips and turns add to the protection levels along, across and in heading: the rest is the
+/// filter's doubt.
+std::array<double, 3> unseen_shares(const StairEstimate & estimate)
 {
   const double q = two_sided_quantile(FusedParams{}.integrity_risk);
   return {
     estimate.protection_along_m - q * std::sqrt(estimate.tread_covariance(0, 0)),
-    estimate.protection_across_m - q * std::sqrt(estimate.tread_covariance(1, 1))};
+    estimate.protection_across_m - q * std::sqrt(estimate.tread_covariance(1, 1)),
+    estimate.protection_heading_rad - q * std::sqrt(estimate.tread_covariance(5, 5))};
 }
 
-// 4 mm before it is noticed; a whole one, 20 mm, where nothing corrected for half a second.
-TEST(FusedEstimator, ASlipThatNothingSeesCountsWhole)
+// 2 mm of a slip and 6 mrad of a turn before the ranges suspect one; a whole slip, 20 mm, and a
+// turn of 0.1 rad, where nothing corrected for half a second.
+TEST(FusedEstimator, WhatNothingSeesCountsWhole)
 {
   Rig rig(3, uncalibrated());
-  EXPECT_NEAR(slip_shares_m(rig.estimate())[0], 0.004, 1e-12);
-  EXPECT_NEAR(slip_shares_m(rig.estimate())[1], 0.004, 1e-12);
+  EXPECT_NEAR(unseen_shares(rig.estimate())[0], 0.002, 1e-12);
+  EXPECT_NEAR(unseen_shares(rig.estimate())[1], 0.002, 1e-12);
+  EXPECT_NEAR(unseen_shares(rig.estimate())[2], 0.006, 1e-12);
   rig.robot.sides_dead = true;
   rig.robot.rest(0.6);
-  EXPECT_NEAR(slip_shares_m(rig.estimate())[0], 0.004, 1e-12);
-  EXPECT_NEAR(slip_shares_m(rig.estimate())[1], 0.020, 1e-12);
+  EXPECT_NEAR(unseen_shares(rig.estimate())[0], 0.002, 1e-12);
+  EXPECT_NEAR(unseen_shares(rig.estimate())[1], 0.020, 1e-12);
+  EXPECT_NEAR(unseen_shares(rig.estimate())[2], 0.006, 1e-12);
   rig.robot.sides_dead = false;
   rig.robot.front_dead = true;
   rig.robot.rest(0.6);
-  EXPECT_NEAR(slip_shares_m(rig.estimate())[0], 0.020, 1e-12);
-  EXPECT_NEAR(slip_shares_m(rig.estimate())[1], 0.004, 1e-12);
+  EXPECT_NEAR(unseen_shares(rig.estimate())[0], 0.020, 1e-12);
+  EXPECT_NEAR(unseen_shares(rig.estimate())[1], 0.002, 1e-12);
+  EXPECT_NEAR(unseen_shares(rig.estimate())[2], 0.1, 1e-12);
 }
 
 // Exact readings repeat themselves, which no live sensor does.

@@ -14,6 +14,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "support/standing_robot.hpp"
 
 namespace stetro_localizer
@@ -121,6 +123,33 @@ TEST(FusedModelWatch, AGyroscopeThatRepeatsItselfInMotionIsStuck)
   EXPECT_FALSE(robot.stuck_gyro());
 }
 
+// Half a metre away a wall is not missed half a second long; what is out of reach may be.
+TEST(FusedModelWatch, ASideSensorThatMissesItsWallIsBlind)
+{
+  StandingRobot robot;
+  know_all(robot);
+  robot.know(kStateY, 0.5, 0.002);
+  const auto miss_both = [&robot] {
+    RangeSample none;
+    none.stamp = robot.core.time;
+    none[Place::kSideLeft] = none[Place::kSideRight] = {
+      robot.core.time, std::numeric_limits<double>::infinity(), 0.0, RangeStatus::kNoTarget};
+    robot.take(none);
+  };
+  const auto blind = [&robot](Ranger ranger) {
+    return robot.core.monitors[static_cast<std::size_t>(ranger)].blind();
+  };
+  for (int i = 0; i < 14; ++i) {
+    miss_both();
+  }
+  EXPECT_FALSE(blind(Ranger::kSideRight));
+  miss_both();
+  EXPECT_TRUE(blind(Ranger::kSideRight));
+  EXPECT_FALSE(blind(Ranger::kSideLeft)) << "1.5 m away";
+  robot.read(Place::kSideRight, robot.noisy(0.45));
+  EXPECT_FALSE(blind(Ranger::kSideRight));
+}
+
 // One reading knows 4.3 mm: with 1 mm of doubt in y the filter by itself would follow in some 20.
 TEST(FusedModelWatch, FollowsASlip)
 {
@@ -159,6 +188,52 @@ void touch_right(StandingRobot & robot)
   robot.take(contacts);
 }
 
+// What looks like a slip to one sensor may be a fault of its own: until a contact has told.
+TEST(FusedModelWatch, ASlipThatOneSensorTellsIsUnconfirmed)
+{
+  StandingRobot robot;
+  calibrate(robot);
+  robot.know(kStateY, 0.13, 0.001);
+  for (int i = 0; i < 15 && robot.core.slipping_until < robot.core.time; ++i) {
+    robot.read(Place::kSideRight, robot.stretch() * (0.08 + 0.015));
+  }
+  EXPECT_NEAR(robot.core.unconfirmed_m[kStateY], 0.015, 0.004);
+  touch_right(robot);
+  EXPECT_EQ(robot.core.unconfirmed_m[kStateY], 0.0);
+}
+
+TEST(FusedModelWatch, ASlipThatBothSidesTellIsBelieved)
+{
+  StandingRobot robot;
+  know_all(robot);
+  robot.core.rolled_at = robot.core.time;
+  const double range_m = robot.stretch() * (kWidth / 2.0 - kMount);
+  robot.read_pair(Place::kSideLeft, range_m, Place::kSideRight, range_m);
+  for (int i = 0; i < 40 && robot.core.slipping_until < robot.core.time; ++i) {
+    robot.read_pair(Place::kSideLeft, range_m - 0.02, Place::kSideRight, range_m + 0.02);
+  }
+  EXPECT_GT(robot.core.slipping_until, robot.core.time) << "it has been found";
+  EXPECT_EQ(robot.core.unconfirmed_m[kStateY], 0.0);
+}
+
+// The pair turns by 1.7 deg: less than it takes to doubt the heading, enough to allow for it.
+TEST(FusedModelWatch, AllowsForATurnThatTheFrontPairSuspects)
+{
+  StandingRobot robot;
+  know_all(robot);
+  put_before_riser(robot, 0.15, 0.002);
+  const double range_m = robot.stretch() * 0.15;
+  for (int i = 0; i < 60; ++i) {
+    robot.read_pair(Place::kFrontLeft, range_m, Place::kFrontRight, range_m);
+  }
+  EXPECT_EQ(robot.suspected_turn_rad(), 0.0);
+  for (int i = 0; i < 30 && robot.suspected_turn_rad() == 0.0; ++i) {
+    robot.read_pair(Place::kFrontLeft, range_m + 0.008, Place::kFrontRight, range_m);
+  }
+  EXPECT_GT(robot.suspected_turn_rad(), 0.02);
+  EXPECT_FALSE(robot.core.doubted[kStateYaw]);
+}
+
 /// Stands at the right wall, sure to be 15 mm off it.
 void believe_to_be_off_the_wall(StandingRobot & robot)
 {
@@ -184,7 +259,9 @@ TEST(FusedModelWatch, AContactThatSurprisesTheRangesTooCalibratesThem)
     robot.read(Place::kSideRight, range_m);
   }
   EXPECT_NEAR(robot.core.filter[kStateY], kAtWall, 0.002);
-  EXPECT_NEAR(robot.core.filter[offset_index(Ranger::kSideRight)], 0.0, 0.004);
+  const double error_m = robot.core.filter[offset_index(Ranger::kSideRight)] +
+                         robot.core.filter[gain_index(Ranger::kSideRight)] * range_m;
+  EXPECT_NEAR(error_m, 0.0, 0.004) << "by offset or gain";
 }
 
 // No range was in sight: the robot has slipped, and the offset is as it was.

@@ -71,6 +71,21 @@ TEST(SlipWatch, SuspectsASlipBeforeItAlarms)
   EXPECT_TRUE(watch.add(0.012, kVariance, 1.0)) << "asking has changed nothing";
 }
 
+// One innovation of 12 adds 2.88, one of 10 only 1.92, with 2.0 between. In mm, of the former:
+// var(d) = 1 / (1 / 25 + 1 / 144) = 3600 / 169, d = 12 / 25 * var(d) = 1728 / 169.
+TEST(SlipWatch, AllowsForASlipThatIsLikelierThanNone)
+{
+  SlipWatch watch(kSlip, kFalseAlarm);
+  EXPECT_EQ(watch.suspected_m(), 0.0);
+  EXPECT_FALSE(watch.add(0.010, kVariance, 1.0));
+  EXPECT_EQ(watch.suspected_m(), 0.0);
+  for (const double innovation_m : {0.012, -0.012}) {
+    watch.clear();
+    EXPECT_FALSE(watch.add(innovation_m, kVariance, 1.0));
+    EXPECT_NEAR(watch.suspected_m(), 1e-3 * (1728.0 / 169.0 + 2.0 * 60.0 / 13.0), 1e-12);
+  }
+}
+
 // A sensor of 12 mm adds 72 / 144 = 0.5 each time: 8.11 is passed by the seventeenth.
 TEST(SlipWatch, AFarRangeCountsForLess)
 {

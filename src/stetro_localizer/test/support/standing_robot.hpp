@@ -97,6 +97,7 @@ public:
 
   void take(const Sample & sample) { model_.take(core, sample); }
   [[nodiscard]] bool stuck_gyro() const { return model_.gyro_stuck(core); }
+  [[nodiscard]] double suspected_turn_rad() const { return model_.suspected_turn_rad(core); }
   double random(double sigma) { return sigma * normal_(random_); }
   [[nodiscard]] double stretch() const
   {

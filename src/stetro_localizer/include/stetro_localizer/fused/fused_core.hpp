@@ -21,6 +21,7 @@
 
 #include "stetro_localizer/contact_closure.hpp"
 #include "stetro_localizer/fused/error_state_filter.hpp"
+#include "stetro_localizer/fused/hand_over.hpp"
 #include "stetro_localizer/fused/range_monitor.hpp"
 #include "stetro_localizer/fused/slip_watch.hpp"
 #include "stetro_localizer/fused/tread_gauge.hpp"
@@ -47,12 +48,13 @@ struct FusedCore
 {
   FusedCore(
     const StepModel & step_model, const StandstillParams & standing, const SlipWatch & slip_watch,
-    const SlipWatch & sum_watch, const SlipWatch & pair_watch)
+    const SlipWatch & sum_watch, const SlipWatch & pair_watch, const HandOver & between_sensors)
   : steps(step_model),
     standstill(standing),
     slips{slip_watch, slip_watch},
     width_watch(sum_watch),
-    turn_watch(pair_watch)
+    turn_watch(pair_watch),
+    hand_over(between_sensors)
   {
   }
 
@@ -76,8 +78,11 @@ struct FusedCore
   std::array<SlipWatch, 2> slips;                   ///< by `StateIndex`: x, y
   Nanoseconds slipping_until{0};                    ///< a slip that was noticed may go on
   std::array<double, 2> slipped_m{};                ///< lately, by `StateIndex`: x, y [m]
+  /// Of it, what one sensor alone has told of; until a contact. By `StateIndex`: x, y [m].
+  std::array<double, 2> unconfirmed_m{};
   SlipWatch width_watch;  ///< left and right add up to more or less than the width
   SlipWatch turn_watch;   ///< the front pair turns otherwise than the gyroscope
+  HandOver hand_over;     ///< what the published x and y lack of the filter's
   /// By `StateIndex`, x, y, heading: what tells it contradicts; until a contact.
   std::array<bool, 3> doubted{};
   Nanoseconds rolled_at{0};       ///< the wheels turned last

@@ -66,6 +66,12 @@ public:
   /// The gyroscope says the same again and again while the robot moves.
   [[nodiscard]] bool gyro_stuck(const FusedCore & core) const;
 
+  /// How far the estimate may be off along `axis` by a slip that is suspected [m].
+  [[nodiscard]] double suspected_slip_m(const FusedCore & core, int axis) const;
+
+  /// How far the heading may be off by what the front pair suspects of it and of the gyroscope.
+  [[nodiscard]] double suspected_turn_rad(const FusedCore & core) const;
+
   /// Makes the core believe that it stands on `step`; x becomes unknown within the tread.
   void locate(FusedCore & core, int step) const;
 
@@ -102,6 +108,8 @@ private:
   void note_slip(
     FusedCore & core, int axis, double innovation_m, const SourceReport & report,
     double variance_before) const;
+  [[nodiscard]] bool calibrated(const FusedCore & core, int axis) const;
+  [[nodiscard]] bool told_by_one(const FusedCore & core, int axis) const;
   void take_suspected_slip(FusedCore & core, int axis) const;
   void explain_surprise(FusedCore & core, int axis, double surprise_m2) const;
   void doubt(FusedCore & core, int axis, double shift_m) const;

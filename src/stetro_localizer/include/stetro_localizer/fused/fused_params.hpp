@@ -53,17 +53,19 @@ struct FusedNoise
 /// What is watched, and what counts as too much.
 struct FusedAlerts
 {
-  double along_m = 0.25;            ///< protection level of x that is not OK [m]
-  double across_m = 0.10;           ///< of y [m]
-  double heading_rad = 0.45;        ///< of the heading, 26 deg: before any calibration [rad]
-  double unnoticed_slip_m = 0.004;  ///< of it no measurement tells yet [m]
-  double unseen_slip_m = 0.02;      ///< the same where nothing is in sight that could tell [m]
-  double dead_s = 0.5;              ///< a sensor is silent for so long [s]
-  double stuck_s = 0.5;             ///< the gyroscope is stuck after so long [s]
-  double offset_m = 0.05;           ///< an offset beyond this is not trusted [m]
-  double gain = 0.15;               ///< nor is such a gain [-]
-  double as_built_m = 0.02;         ///< a tread or width off the site file by more is told [m]
-  std::int64_t reject_streak = 15;  ///< gated in a row: a sensor contradicts the others
+  double along_m = 0.25;              ///< protection level of x that is not OK [m]
+  double across_m = 0.10;             ///< of y [m]
+  double heading_rad = 0.45;          ///< of the heading, 26 deg: before any calibration [rad]
+  double unnoticed_slip_m = 0.002;    ///< of it no measurement tells yet [m]
+  double unseen_slip_m = 0.02;        ///< the same where nothing is in sight that could tell [m]
+  double unnoticed_turn_rad = 0.006;  ///< of it no measurement tells yet [rad]
+  double unseen_turn_rad = 0.1;       ///< the same where the front pair sees no riser [rad]
+  double dead_s = 0.5;                ///< a sensor is silent for so long [s]
+  double stuck_s = 0.5;               ///< the gyroscope is stuck after so long [s]
+  double offset_m = 0.05;             ///< an offset beyond this is not trusted [m]
+  double gain = 0.15;                 ///< nor is such a gain [-]
+  double as_built_m = 0.02;           ///< a tread or width off the site file by more is told [m]
+  std::int64_t reject_streak = 15;    ///< gated in a row: a sensor contradicts the others
 };
 
 /// The fused estimator's own parameters.
@@ -82,6 +84,7 @@ struct FusedParams
   double slip_false_alarm =
     3e-4;                        ///< slips noticed for each innovation of a robot that has none [-]
   double slipping = 0.01;        ///< process.slip while a slip goes on [m/sqrt(s)]
+  double hand_over_s = 0.1;      ///< in which a sensor that comes into sight moves the pose [s]
   double integrity_risk = 1e-4;  ///< that an error exceeds its protection level, each step [-]
 };
 
@@ -130,6 +133,12 @@ void visit(FusedParams & p, Visitor && each)
   each(
     "alerts.unseen_slip_m", alert.unseen_slip_m, Within{0.0, 0.2},
     "a whole slip, where nothing in sight could tell [m]");
+  each(
+    "alerts.unnoticed_turn_rad", alert.unnoticed_turn_rad, Within{0.0, 0.5},
+    "what the gyroscope's bias does before it is noticed [rad]");
+  each(
+    "alerts.unseen_turn_rad", alert.unseen_turn_rad, Within{0.0, 0.5},
+    "the same where the front pair sees no riser [rad]");
   each("alerts.dead_s", alert.dead_s, Within{0.05, 10.0}, "a silent sensor is dead after [s]");
   each(
     "alerts.stuck_s", alert.stuck_s, Within{0.05, 10.0},
@@ -155,6 +164,9 @@ void visit(FusedParams & p, Visitor && each)
     "slip_false_alarm", p.slip_false_alarm, Within{1e-9, 0.1},
     "slips noticed for each innovation of a robot that has none");
   each("slipping", p.slipping, Within{0.0, 1.0}, "process.slip while one goes on [m/sqrt(s)]");
+  each(
+    "hand_over_s", p.hand_over_s, Within{0.0, 5.0},
+    "a sensor that comes into sight moves the published pose over such a time [s]");
   each(
     "integrity_risk", p.integrity_risk, Within{1e-9, 0.1},
     "that an error exceeds its protection level, each step");

@@ -41,6 +41,7 @@ public:
       alike_ = 0;
       return;
     }
+    missed_ = 0;
     alike_ = reading.range_m == last_m_ ? alike_ + 1 : 0;
     last_m_ = reading.range_m;
   }
@@ -51,15 +52,23 @@ public:
     return seconds(now - (answered_ > since ? answered_ : since)) > patience_s;
   }
 
+  /// It has not seen what was in its reach.
+  void miss() { ++missed_; }
+
+  /// It has missed what was in its reach again and again.
+  [[nodiscard]] bool blind() const { return missed_ >= kMostMissed; }
+
   /// It repeats itself to the millimetre.
   [[nodiscard]] bool stuck() const { return alike_ >= kMostAlike; }
 
 private:
   static constexpr int kMostAlike = 11;
+  static constexpr int kMostMissed = 15;  // half a second
 
   Nanoseconds answered_{0};
   double last_m_ = -1.0;
   int alike_ = 0;
+  int missed_ = 0;
 };
 
 }  // namespace stetro_localizer

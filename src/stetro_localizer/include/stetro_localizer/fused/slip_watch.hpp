@@ -82,6 +82,14 @@ public:
   /// The slip that is likelier than none, though by less than an alarm takes.
   [[nodiscard]] std::optional<Slip> suspected() const { return beyond(kSuspicion * limit_); }
 
+  /// How far the estimate may be off by a slip that is suspected; zero without suspicion [m].
+  /** Most suspicions are unfounded: no more than two standard deviations are added to one. */
+  [[nodiscard]] double suspected_m() const
+  {
+    const auto slip = beyond(kLikelier);
+    return slip ? std::abs(slip->shift_m) + 2.0 * std::sqrt(slip->variance_m2) : 0.0;
+  }
+
   void clear() { forwards_ = backwards_ = {}; }
 
 private:
@@ -89,6 +97,7 @@ private:
   static constexpr double kLeast = 2.5;      // innovations that an alarm takes
   static constexpr double kPast = 0.2;       // share of a slip that is left
   static constexpr double kSuspicion = 0.4;  // share of the limit
+  static constexpr double kLikelier = 2.0;   // a slip is seven times likelier than none
 
   struct Sum
   {
