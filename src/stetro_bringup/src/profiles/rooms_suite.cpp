@@ -1,0 +1,250 @@
+// Copyright 2026 The sTetro Authors
+//
+// Licensed under the Apache License, Version 2.0 (the "License");
+// you may not use this file except in compliance with the License.
+// You may obtain a copy of the License at
+//
+//     http://www.apache.org/licenses/LICENSE-2.0
+//
+// Unless required by applicable law or agreed to in writing, software
+// distributed under the License is distributed on an "AS IS" BASIS,
+// WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+// See the License for the specific language governing permissions and
+// limitations under the License.
+
+#include "profiles/rooms_suite.hpp"
+
+#include <time.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "profiles/random_room.hpp"
+#include "profiles/room_scanner.hpp"
+#include "stetro_site/segment_caster.hpp"
+#include "stetro_supervisor/profile/published_centre_of_mass.hpp"
+#include "stetro_supervisor/profile/trusted_centre_of_mass.hpp"
+
+namespace stetro_bringup
+{
+namespace
+{
+
+using stetro_supervisor::Belief;
+using stetro_supervisor::ProfileFinding;
+using stetro_supervisor::RangeProfile;
+using stetro_supervisor::ScannerPose;
+using stetro_supervisor::Verdict;
+
+constexpr double kPi = 3.141592653589793;
+constexpr std::size_t kBeams = 720;
+constexpr double kReach = 200.0;        // more than the room's diagonal
+constexpr double kSearchRadius = 42.0;  // displacement is up to 40
+constexpr double kStatedSigma = 0.02;   // of a range without noise, 0.02 % of the room
+constexpr double kFalse = 1.0;
+constexpr double kFine = 0.1;
+constexpr double kFalseSigmas = 5.0;
+constexpr double kUnmappedSpread = 0.02;  // of the share of beams that was asked for
+constexpr std::size_t kSymmetriesOfASquare = 4;
+
+/// One case: what is there, what was seen, what is believed.
+struct RoomCase
+{
+  RandomRoom room;
+  ScannerPose truth;
+  RangeProfile scan;
+};
+
+double now_us()
+{
+  timespec t{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) * 1e6 + static_cast<double>(t.tv_nsec) * 1e-3;
+}
+
+double share_before(const RangeProfile & scan, const RangeProfile & clear)
+{
+  std::size_t before = 0;
+  for (std::size_t i = 0; i < kBeams; ++i) {
+    before += scan.ranges_m[i] < clear.ranges_m[i] ? 1 : 0;
+  }
+  return static_cast<double>(before) / static_cast<double>(kBeams);
+}
+
+/// Puts unmapped boxes into the world until their share of the beams is as asked.
+void add_unmapped(RoomCase & one, double share, std::mt19937_64 & random)
+{
+  constexpr int kBoxes = 40;  // tried before all are taken away again
+  const RangeProfile clear = scanned(one.room.map_walls(), one.truth, kBeams);
+  for (;;) {
+    one.room.unmapped.clear();
+    for (int i = 0; i < kBoxes; ++i) {
+      one.room.unmapped.push_back(draw_box(random, one.room));
+      const double now = share_before(scanned(one.room.world_walls(), one.truth, kBeams), clear);
+      if (now > share + kUnmappedSpread) {
+        one.room.unmapped.pop_back();
+      } else if (now >= share - kUnmappedSpread) {
+        return;
+      }
+    }
+  }
+}
+
+RoomCase draw_case(const RoomsKind & kind, std::uint64_t seed, std::size_t number)
+{
+  std::seed_seq mixed{seed, static_cast<std::uint64_t>(number)};
+  std::mt19937_64 random(mixed);
+  RoomCase one{draw_room(random, kind.draw), {}, {}};
+  one.truth = {one.room.truth, std::uniform_real_distribution<double>(-kPi, kPi)(random)};
+  if (kind.unmapped_share > 0.0) {
+    add_unmapped(one, kind.unmapped_share, random);
+  }
+  one.scan = scanned(one.room.world_walls(), one.truth, kBeams);
+  if (kind.noise_sigma > 0.0) {
+    add_noise(one.scan, kind.noise_sigma, random);
+  }
+  return one;
+}
+
+/// The published search on one case. It has no verdict and no covariance: all it says is a pose.
+RoomsScore solve_published(const stetro_site::ProfileCaster & map, const RoomCase & one)
+{
+  RoomsScore score;
+  stetro_supervisor::PublishedLimits limits;
+  limits.reach_m = kReach;
+  limits.settled_m = 1e-3;
+  const double start = now_us();
+  const auto search = stetro_supervisor::published_search(
+    map, stetro_supervisor::Beams(one.scan), {one.room.believed, one.truth.yaw_rad}, limits);
+  score.us.push_back(now_us() - start);
+  score.cases = 1;
+  if (search.positions_m.empty()) {
+    score.no_verdict = 1;
+    return score;
+  }
+  const double error = (search.positions_m.back() - one.room.truth).norm();
+  score.within_1 = error < kFalse ? 1 : 0;
+  score.within_01 = error < kFine ? 1 : 0;
+  score.false_accepts = error < kFalse ? 0 : 1;
+  return score;
+}
+
+Belief belief_of(const RoomsKind & kind, const RoomCase & one)
+{
+  Belief belief;
+  belief.area.around = {one.room.believed, kind.heading_unknown ? 0.0 : one.truth.yaw_rad};
+  belief.area.radius_m = kSearchRadius;
+  if (kind.heading_unknown) {
+    belief.area.yaw_half_width_rad = kPi;
+    belief.yaw_sigma_rad = 0.1;  // of a step of the search, 5 degrees
+  }
+  return belief;
+}
+
+bool holds_truth(const ProfileFinding & finding, const RoomCase & one)
+{
+  const auto is_true = [&one](const ScannerPose & pose) {
+    return (pose.position_m - one.room.truth).norm() < kFine;
+  };
+  return is_true(finding.best.pose) ||
+         std::any_of(finding.alternatives.begin(), finding.alternatives.end(), is_true);
+}
+
+void rate(const ProfileFinding & finding, const RoomCase & one, RoomsScore & score)
+{
+  score.cases = 1;
+  score.searched = finding.searched ? 1 : 0;
+  if (finding.verdict == Verdict::kNoVerdict) {
+    score.no_verdict = 1;
+    return;
+  }
+  if (finding.verdict == Verdict::kAmbiguous) {
+    const std::size_t allowed = one.room.boxes.empty() ? kSymmetriesOfASquare : 1;
+    score.ambiguous = 1;
+    score.ambiguous_right =
+      holds_truth(finding, one) && finding.alternatives.size() < allowed ? 1 : 0;
+    return;
+  }
+  const Eigen::Vector2d error = finding.best.pose.position_m - one.room.truth;
+  const Eigen::Matrix2d covariance = finding.best.covariance.topLeftCorner<2, 2>();
+  const double sigmas = std::sqrt(error.dot(covariance.inverse() * error));
+  score.within_1 = error.norm() < kFalse ? 1 : 0;
+  score.within_01 = error.norm() < kFine ? 1 : 0;
+  score.false_accepts = error.norm() >= kFalse || sigmas > kFalseSigmas ? 1 : 0;
+}
+
+RoomsScore solve_trusted(
+  const stetro_site::ProfileCaster & map, const RoomsKind & kind, const RoomCase & one)
+{
+  stetro_supervisor::BeamNoise noise;
+  noise.range_sigma_m = std::max(kind.noise_sigma, kStatedSigma);
+  stetro_supervisor::TrustParams trust;
+  trust.largest_sigma_m = kFalse / kFalseSigmas;
+  stetro_supervisor::DescentParams descent;
+  descent.reach_m = kReach;
+  stetro_supervisor::TrustedCentreOfMass check(
+    map, [&one](const Eigen::Vector2d & p) { return one.room.is_free(p); }, noise, trust, descent);
+  const Belief belief = belief_of(kind, one);
+  check.prepare(one.scan.fan);  // a robot's lidar has one fan for life
+  RoomsScore score;
+  const double start = now_us();
+  const ProfileFinding finding = check.check(one.scan, belief);
+  score.us.push_back(now_us() - start);
+  rate(finding, one, score);
+  return score;
+}
+
+}  // namespace
+
+std::vector<RoomsKind> kinds_of_rooms()
+{
+  constexpr double kNoise = 0.002 * RandomRoom::kSide;
+  return {
+    {"rooms", 0.0, 0.0, false, RoomDraw::kListed},
+    {"rooms_noisy", kNoise, 0.0, false, RoomDraw::kListed},
+    {"rooms_unmapped", 0.0, 0.2, false, RoomDraw::kListed},
+    {"rooms_heading_unknown", 0.0, 0.0, true, RoomDraw::kListed},
+    {"rooms_even", 0.0, 0.0, false, RoomDraw::kEven}};
+}
+
+void RoomsScore::add(const RoomsScore & other)
+{
+  cases += other.cases;
+  within_1 += other.within_1;
+  within_01 += other.within_01;
+  no_verdict += other.no_verdict;
+  ambiguous += other.ambiguous;
+  ambiguous_right += other.ambiguous_right;
+  false_accepts += other.false_accepts;
+  searched += other.searched;
+  us.insert(us.end(), other.us.begin(), other.us.end());
+}
+
+double RoomsScore::median_us() const
+{
+  if (us.empty()) {
+    return 0.0;
+  }
+  std::vector<double> sorted = us;
+  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+  std::nth_element(sorted.begin(), middle, sorted.end());
+  return *middle;
+}
+
+RoomsTable run_rooms(
+  const RoomsKind & kind, std::size_t rooms, std::uint64_t seed, const std::function<void()> & done)
+{
+  RoomsTable table{kind, {}, {}};
+  for (std::size_t i = 0; i < rooms; ++i) {
+    const RoomCase one = draw_case(kind, seed, i);
+    const stetro_site::SegmentCaster map(one.room.map_walls());
+    table.published.add(solve_published(map, one));
+    table.trusted.add(solve_trusted(map, kind, one));
+    done();
+  }
+  return table;
+}
+
+}  // namespace stetro_bringup
