@@ -251,6 +251,9 @@ void FusedModel::take_front(
   if (!clipped) {
     note_slip(core, kStateX, -report.innovation, report, x_variance);
   }
+  if (outcome == Outcome::kGated) {
+    reconsider_front(core, report);
+  }
   if (outcome == Outcome::kFused) {
     core.used_at[static_cast<std::size_t>(aiding.ranger())] = core.time;
   }

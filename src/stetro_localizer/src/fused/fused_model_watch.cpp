@@ -28,9 +28,11 @@ constexpr Nanoseconds kSlipGoesOn = std::chrono::milliseconds(200);
 constexpr Nanoseconds kNoSlipBehind = std::chrono::seconds(1);  // at a stand: it would be noticed
 constexpr double kMostlyNoise = 3.0;  // an innovation's variance in that of the reading
 
-constexpr double kExplained = 2.5;  // standard deviations of what both ranges have in common
-constexpr double kSure = 2.0;       // standard deviations of a shift at a stand
-constexpr double kJust = 0.2;       // a range so young vouches for the estimate [s]
+constexpr double kExplained = 2.5;         // standard deviations of what both ranges have in common
+constexpr std::uint32_t kAlikeInARow = 5;  // refusals of both front ranges
+constexpr double kUntoldHeading = 0.02;    // no contact has told it: it is known so badly [rad]
+constexpr double kSure = 2.0;              // standard deviations of a shift at a stand
+constexpr double kJust = 0.2;              // a range so young vouches for the estimate [s]
 
 constexpr RangerPair kSidePair{{
   {Ranger::kSideLeft, Place::kSideLeft, Source::kSideLeft, 1.0, -1.0},
@@ -126,6 +128,31 @@ void FusedModel::explain_surprise(FusedCore & core, int axis, double surprise_m2
     }
   }
   core.filter.inflate(together, surprise_m2);
+}
+
+// Front ranges that are refused again and again. Both alike: the robot has slipped farther than was
+// thought possible while it saw no riser, for two sensors do not break in the same way. One alone
+// while nothing but the pair has told the heading: that may be what is wrong. Otherwise it is a
+// fault.
+void FusedModel::reconsider_front(FusedCore & core, const SourceReport & refused) const
+{
+  const SourceReport & left = core.reports[Source::kFrontLeft];
+  const SourceReport & right = core.reports[Source::kFrontRight];
+  const double apart_m = left.innovation - right.innovation;
+  const bool alike =
+    squared(apart_m) < gate_ * (left.innovation_variance + right.innovation_variance);
+  const auto in_a_row = std::min(left.reject_streak, right.reject_streak);
+  if (alike && in_a_row >= kAlikeInARow) {
+    core.filter.inflate(kStateX, squared(refused.innovation));
+  } else if (
+    refused.reject_streak == params_.fused.alerts.reject_streak &&
+    core.filter.variance(kStateYaw) > squared(kUntoldHeading)) {
+    StateVector turned = StateVector::Zero();  // about the other one's beam, which agrees
+    turned[kStateX] = -refused.innovation / 2.0;
+    turned[kStateYaw] =
+      (&refused == &left ? 1.0 : -1.0) * refused.innovation / robot_.front_baseline_m();
+    core.filter.inflate(turned, 1.0);
+  }
 }
 
 // The sum of both side ranges knows nothing of y, the difference of the front pair nothing of x:

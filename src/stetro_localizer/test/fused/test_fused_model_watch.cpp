@@ -234,6 +234,54 @@ TEST(FusedModelWatch, AllowsForATurnThatTheFrontPairSuspects)
   EXPECT_FALSE(robot.core.doubted[kStateYaw]);
 }
 
+// It has slipped by 8 cm where it saw no riser: after five refusals of both, it believes them.
+TEST(FusedModelWatch, BelievesBothFrontRangesRatherThanItself)
+{
+  StandingRobot robot;
+  know_all(robot);
+  put_before_riser(robot, 0.15, 0.005);
+  const double x_m = robot.core.filter[kStateX];
+  const double range_m = robot.stretch() * (0.15 + 0.08);
+  for (int i = 0; i < 4; ++i) {
+    robot.read_pair(Place::kFrontLeft, range_m, Place::kFrontRight, range_m);
+  }
+  EXPECT_NEAR(robot.core.filter[kStateX], x_m, 0.002) << "it may be spurious";
+  for (int i = 0; i < 30; ++i) {
+    robot.read_pair(Place::kFrontLeft, range_m, Place::kFrontRight, range_m);
+  }
+  EXPECT_NEAR(robot.core.filter[kStateX], x_m - 0.08, 0.005);
+  EXPECT_EQ(robot.core.reports[Source::kFrontLeft].reject_streak, 0u);
+}
+
+// One sensor alone says so: either it or the heading is wrong, and that is told.
+TEST(FusedModelWatch, DoesNotBelieveOneFrontRangeAlone)
+{
+  StandingRobot robot;
+  know_all(robot);
+  put_before_riser(robot, 0.15, 0.005);
+  const double x_m = robot.core.filter[kStateX];
+  const double range_m = robot.stretch() * 0.15;
+  for (int i = 0; i < 60; ++i) {
+    robot.read_pair(Place::kFrontLeft, range_m + 0.08, Place::kFrontRight, range_m);
+  }
+  EXPECT_NEAR(robot.core.filter[kStateX], x_m, 0.01);
+  EXPECT_TRUE(robot.core.doubted[kStateYaw]);
+}
+
+// Nothing but the pair has told the heading, 17 deg wrong: half a second, and it finds the way.
+TEST(FusedModelWatch, AHeadingThatOnlyThePairToldIsTakenBack)
+{
+  StandingRobot robot;
+  know_all(robot);
+  put_before_riser(robot, 0.15, 0.010);
+  robot.know(kStateYaw, 0.30, 0.03);
+  const double range_m = robot.stretch() * 0.15;
+  for (int i = 0; i < 90; ++i) {
+    robot.read_pair(Place::kFrontLeft, range_m, Place::kFrontRight, range_m);
+  }
+  EXPECT_NEAR(robot.core.filter[kStateYaw], 0.0, 0.03);
+}
+
 /// Stands at the right wall, sure to be 15 mm off it.
 void believe_to_be_off_the_wall(StandingRobot & robot)
 {

@@ -111,6 +111,7 @@ private:
   [[nodiscard]] bool calibrated(const FusedCore & core, int axis) const;
   [[nodiscard]] bool told_by_one(const FusedCore & core, int axis) const;
   void take_suspected_slip(FusedCore & core, int axis) const;
+  void reconsider_front(FusedCore & core, const SourceReport & refused) const;
   void explain_surprise(FusedCore & core, int axis, double surprise_m2) const;
   void doubt(FusedCore & core, int axis, double shift_m) const;
   void doubt_heading(FusedCore & core, double difference_m) const;
