@@ -17,7 +17,7 @@
 #include <array>
 #include <cmath>
 
-#include "support/counted_allocations.hpp"
+#include "stetro_tests/counted_allocations.hpp"
 #include "support/hand_set_blocks.hpp"
 
 namespace stetro_localizer

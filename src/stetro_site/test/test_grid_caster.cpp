@@ -20,9 +20,9 @@
 #include <string>
 #include <vector>
 
-#include "counted_allocations.hpp"
 #include "random_scenes.hpp"
 #include "stetro_site/grid_caster.hpp"
+#include "stetro_tests/counted_allocations.hpp"
 
 namespace stetro_site
 {

@@ -22,9 +22,9 @@
 #include <stdexcept>
 #include <vector>
 
-#include "counted_allocations.hpp"
 #include "random_scenes.hpp"
 #include "stetro_site/segment_caster.hpp"
+#include "stetro_tests/counted_allocations.hpp"
 
 namespace stetro_site
 {

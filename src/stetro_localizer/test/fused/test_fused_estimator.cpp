@@ -23,7 +23,7 @@
 #include "stetro_localizer/fused/normal_quantile.hpp"
 #include "stetro_localizer/fused_estimator.hpp"
 #include "stetro_localizer/stored_state.hpp"
-#include "support/counted_allocations.hpp"
+#include "stetro_tests/counted_allocations.hpp"
 #include "support/stair_robot.hpp"
 
 namespace stetro_localizer

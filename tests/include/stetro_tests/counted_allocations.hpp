@@ -15,8 +15,8 @@
 // Counts what the program allocates. Include it in one source of a test program, and only there: it
 // replaces the global operators.
 
-#ifndef COUNTED_ALLOCATIONS_HPP_
-#define COUNTED_ALLOCATIONS_HPP_
+#ifndef STETRO_TESTS__COUNTED_ALLOCATIONS_HPP_
+#define STETRO_TESTS__COUNTED_ALLOCATIONS_HPP_
 
 #include <cstddef>
 #include <cstdlib>
@@ -35,4 +35,4 @@ void * operator new(std::size_t size)
 void operator delete(void * memory) noexcept { std::free(memory); }
 void operator delete(void * memory, std::size_t) noexcept { std::free(memory); }
 
-#endif  // COUNTED_ALLOCATIONS_HPP_
+#endif  // STETRO_TESTS__COUNTED_ALLOCATIONS_HPP_
