@@ -84,7 +84,7 @@ BENCHMARK(segment_caster_plain)->Arg(100)->Arg(1000)->Arg(10000)->Unit(benchmark
 void grid_caster(benchmark::State & state)
 {
   const OccupancyGrid grid = random_grid_room(static_cast<int>(state.range(0)), kGridBoxes, 11);
-  const GridCaster caster(grid, UnknownCells::kStop);
+  const GridCaster caster(grid, Unknown::kWall);
   cast_in_turn(state, caster, free_places(grid, kPlaces, 12));
 }
 BENCHMARK(grid_caster)->Arg(500)->Arg(2000)->Unit(benchmark::kMicrosecond);
@@ -103,7 +103,7 @@ void prepare_grid(benchmark::State & state)
 {
   const OccupancyGrid grid = random_grid_room(static_cast<int>(state.range(0)), kGridBoxes, 11);
   for (auto _ : state) {
-    benchmark::DoNotOptimize(GridCaster(grid, UnknownCells::kStop));
+    benchmark::DoNotOptimize(GridCaster(grid, Unknown::kWall));
   }
 }
 BENCHMARK(prepare_grid)->Arg(500)->Arg(2000)->Unit(benchmark::kMicrosecond);

@@ -73,10 +73,12 @@ private:
 
 }  // namespace
 
-std::vector<Segment> cell_borders(const OccupancyGrid & grid, UnknownCells unknown)
+std::vector<Segment> cell_borders(const OccupancyGrid & grid, Unknown unknown)
 {
   std::vector<Segment> borders;
-  const auto stops_at = [&](int column, int row) { return stops(grid.at({column, row}), unknown); };
+  const auto stops_at = [&](int column, int row) {
+    return is_wall(grid.at({column, row}), unknown);
+  };
   for (int column = 0; column <= grid.columns(); ++column) {
     BorderLine line(true, column, borders);
     for (int row = 0; row < grid.rows(); ++row) {

@@ -17,25 +17,18 @@
 
 #include <vector>
 
-#include "stetro_site/grid_caster.hpp"
 #include "stetro_site/occupancy_grid.hpp"
 #include "stetro_site/profile_caster.hpp"
 
 namespace stetro_site
 {
 
-/// Whether a beam stops at such a cell.
-[[nodiscard]] constexpr bool stops(Cell cell, UnknownCells unknown)
-{
-  return cell == Cell::kOccupied || (cell == Cell::kUnknown && unknown == UnknownCells::kStop);
-}
-
 /// The borders between cells that stop beams and cells that do not, in the grid's axes [cells].
 /**
  * Straight pieces as long as the same side stops; seen from the free side, which is on their left,
  * they run counter-clockwise. Outside the grid everything is unknown.
  */
-[[nodiscard]] std::vector<Segment> cell_borders(const OccupancyGrid & grid, UnknownCells unknown);
+[[nodiscard]] std::vector<Segment> cell_borders(const OccupancyGrid & grid, Unknown unknown);
 
 }  // namespace stetro_site
 

@@ -29,11 +29,6 @@ namespace
 // Whole numbers throughout: lengths in halves of a cell, squares in quarters of a cell's area.
 constexpr std::int32_t kFar = std::numeric_limits<std::int32_t>::max();  // no wall in the column
 
-bool is_wall(Cell cell, Unknown unknown)
-{
-  return cell == Cell::kOccupied || (cell == Cell::kUnknown && unknown == Unknown::kWall);
-}
-
 std::int64_t floor_divided(std::int64_t a, std::int64_t b)  // b > 0
 {
   return a / b - (a % b < 0 ? 1 : 0);

@@ -38,7 +38,7 @@ double inside_cell(double at)
 
 }  // namespace
 
-GridCaster::GridCaster(OccupancyGrid grid, UnknownCells unknown)
+GridCaster::GridCaster(OccupancyGrid grid, Unknown unknown)
 : grid_(std::move(grid)),
   unknown_(unknown),
   borders_(std::make_shared<const WallTree>(cell_borders(grid_, unknown), WallSides::kLeft))
@@ -51,7 +51,7 @@ bool GridCaster::stops_at(const Eigen::Vector2d & in_cells) const
   const bool inside =
     in_cells.minCoeff() >= 0.0 && in_cells.x() < grid_.columns() && in_cells.y() < grid_.rows();
   const auto index = [](double at) { return static_cast<int>(at); };
-  return stops(
+  return is_wall(
     inside ? grid_.at({index(in_cells.x()), index(in_cells.y())}) : Cell::kUnknown, unknown_);
 }
 

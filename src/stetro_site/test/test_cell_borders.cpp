@@ -48,8 +48,8 @@ TEST(CellBorders, OneCellHasFourSides)
   std::vector<Cell> cells(9, Cell::kFree);
   cells[4] = Cell::kOccupied;
   const OccupancyGrid grid = grid_of(3, 3, cells);
-  EXPECT_EQ(cell_borders(grid, UnknownCells::kPass).size(), 4U);
-  EXPECT_EQ(cell_borders(grid, UnknownCells::kStop).size(), 8U) << "and the edge of the grid";
+  EXPECT_EQ(cell_borders(grid, Unknown::kFree).size(), 4U);
+  EXPECT_EQ(cell_borders(grid, Unknown::kWall).size(), 8U) << "and the edge of the grid";
 }
 
 TEST(CellBorders, StraightBordersAreOnePiece)
@@ -57,7 +57,7 @@ TEST(CellBorders, StraightBordersAreOnePiece)
   const OccupancyGrid grid = grid_of(
     2, 3,
     {Cell::kOccupied, Cell::kFree, Cell::kOccupied, Cell::kFree, Cell::kOccupied, Cell::kFree});
-  const std::vector<Segment> borders = cell_borders(grid, UnknownCells::kPass);
+  const std::vector<Segment> borders = cell_borders(grid, Unknown::kFree);
   ASSERT_EQ(borders.size(), 4U);  // a column of three: two long sides, two short
   double length = 0.0;
   for (const Segment & border : borders) {
@@ -72,7 +72,7 @@ TEST(CellBorders, PartWhatStopsFromWhatDoesNot)
 {
   std::mt19937 random{17};
   std::uniform_int_distribution<int> kind{0, 2};
-  for (const UnknownCells unknown : {UnknownCells::kStop, UnknownCells::kPass}) {
+  for (const Unknown unknown : {Unknown::kWall, Unknown::kFree}) {
     std::vector<Cell> cells;
     for (int i = 0; i < 20 * 30; ++i) {
       cells.push_back(static_cast<Cell>(kind(random)));
@@ -85,16 +85,16 @@ TEST(CellBorders, PartWhatStopsFromWhatDoesNot)
       const int length = static_cast<int>(std::lround((border.to_m - border.from_m).norm()));
       for (int i = 0; i < length; ++i, ++pieces) {
         const Eigen::Vector2d middle = border.from_m + (i + 0.5) * along;
-        EXPECT_FALSE(stops(beside(grid, middle, left), unknown));
-        EXPECT_TRUE(stops(beside(grid, middle, -left), unknown));
+        EXPECT_FALSE(is_wall(beside(grid, middle, left), unknown));
+        EXPECT_TRUE(is_wall(beside(grid, middle, -left), unknown));
       }
     }
     int pairs = 0;
     for (int row = -1; row < 30; ++row) {
       for (int column = -1; column < 20; ++column) {
-        const bool here = stops(grid.at({column, row}), unknown);
-        pairs += here != stops(grid.at({column + 1, row}), unknown) ? 1 : 0;
-        pairs += here != stops(grid.at({column, row + 1}), unknown) ? 1 : 0;
+        const bool here = is_wall(grid.at({column, row}), unknown);
+        pairs += here != is_wall(grid.at({column + 1, row}), unknown) ? 1 : 0;
+        pairs += here != is_wall(grid.at({column, row + 1}), unknown) ? 1 : 0;
       }
     }
     EXPECT_EQ(pieces, pairs);

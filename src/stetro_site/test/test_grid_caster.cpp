@@ -54,7 +54,7 @@ OccupancyGrid drawn(const std::vector<std::string> & rows, GridFrame frame = {})
 
 std::vector<double> cast(
   const OccupancyGrid & grid, const Vector2d & from_m, const BeamFan & fan,
-  UnknownCells unknown = UnknownCells::kStop, double reach_m = kFar)
+  Unknown unknown = Unknown::kWall, double reach_m = kFar)
 {
   std::vector<double> ranges_m;
   GridCaster(grid, unknown).cast(from_m, fan, reach_m, ranges_m);
@@ -63,7 +63,7 @@ std::vector<double> cast(
 
 /// Walks a beam cell by cell (Amanatides and Woo) until one stops it or all the grid is behind it.
 double walked(
-  const OccupancyGrid & grid, const Vector2d & from_m, double angle_rad, UnknownCells unknown)
+  const OccupancyGrid & grid, const Vector2d & from_m, double angle_rad, Unknown unknown)
 {
   const Vector2d at = grid.to_cells(from_m);
   const double angle = angle_rad - grid.frame().yaw_rad;
@@ -78,7 +78,7 @@ double walked(
   double range = 0.0;
   while (range <= end) {
     const Cell here = grid.at(cell);
-    if (here == Cell::kOccupied || (here == Cell::kUnknown && unknown == UnknownCells::kStop)) {
+    if (here == Cell::kOccupied || (here == Cell::kUnknown && unknown == Unknown::kWall)) {
       return range * grid.resolution_m();
     }
     const double x = next_border(at.x(), cell.column, beam.x());
@@ -90,7 +90,7 @@ double walked(
 }
 
 void expect_as_walked(
-  const OccupancyGrid & grid, const Vector2d & from_m, const BeamFan & fan, UnknownCells unknown)
+  const OccupancyGrid & grid, const Vector2d & from_m, const BeamFan & fan, Unknown unknown)
 {
   const std::vector<double> ranges_m = cast(grid, from_m, fan, unknown);
   ASSERT_EQ(ranges_m.size(), fan.count);
@@ -137,7 +137,7 @@ TEST(GridCaster, ReadsWhatAWalkFromCellToCellReads)
   for (const double occupied : {0.0, 0.002, 0.02, 0.1, 0.3, 0.6, 1.0}) {
     for (int i = 0; i < 40; ++i) {
       const OccupancyGrid grid = random_cells(random, occupied, i % 4 == 0 ? 0.1 : 0.0);
-      const UnknownCells unknown = i % 2 == 0 ? UnknownCells::kStop : UnknownCells::kPass;
+      const Unknown unknown = i % 2 == 0 ? Unknown::kWall : Unknown::kFree;
       const Vector2d place =
         grid.to_floor_m({share(random) * grid.columns(), share(random) * grid.rows()});
       const BeamFan fan =
@@ -152,8 +152,7 @@ TEST(GridCaster, ReadsRoomsAsAWalkDoes)
   for (unsigned seed = 0; seed < 10; ++seed) {
     const OccupancyGrid grid = random_grid_room(500, 40, seed, 0.05);
     for (const Vector2d & place : free_places(grid, 5, seed)) {
-      ASSERT_NO_FATAL_FAILURE(
-        expect_as_walked(grid, place, full_turn(1440, 0.3), UnknownCells::kStop));
+      ASSERT_NO_FATAL_FAILURE(expect_as_walked(grid, place, full_turn(1440, 0.3), Unknown::kWall));
     }
   }
 }
@@ -171,7 +170,7 @@ TEST(GridCaster, ReadsWhatAWalkReadsFromTheCornersOfCells)
       cast(grid, place, {fan.first_rad + 0.0005, fan.step_rad, 360});
     for (std::size_t beam = 0; beam < fan.count; ++beam) {
       const double angle = fan.first_rad + 0.0005 + static_cast<double>(beam) * fan.step_rad;
-      const double wanted_m = walked(grid, place, angle, UnknownCells::kStop);
+      const double wanted_m = walked(grid, place, angle, Unknown::kWall);
       ASSERT_NEAR(ranges_m[beam], wanted_m, 1e-9 * wanted_m + 1e-7) << place.transpose();
     }
   }
@@ -194,15 +193,15 @@ TEST(GridCaster, UnknownCellsStopOrPassAsAsked)
 {
   const OccupancyGrid grid = drawn({"  ? #"});
   const BeamFan ahead_and_back = full_turn(2);
-  const std::vector<double> stopped = cast(grid, {0.5, 0.5}, ahead_and_back, UnknownCells::kStop);
+  const std::vector<double> stopped = cast(grid, {0.5, 0.5}, ahead_and_back, Unknown::kWall);
   EXPECT_NEAR(stopped[0], 1.5, 1e-12);
   EXPECT_NEAR(stopped[1], 0.5, 1e-12);
-  const std::vector<double> passed = cast(grid, {0.5, 0.5}, ahead_and_back, UnknownCells::kPass);
+  const std::vector<double> passed = cast(grid, {0.5, 0.5}, ahead_and_back, Unknown::kFree);
   EXPECT_NEAR(passed[0], 3.5, 1e-12);
   EXPECT_EQ(passed[1], kInfinity);
   // From outside, before the grid.
-  EXPECT_EQ(cast(grid, {-1.5, 0.5}, ahead_and_back, UnknownCells::kStop)[0], 0.0);
-  EXPECT_NEAR(cast(grid, {-1.5, 0.5}, ahead_and_back, UnknownCells::kPass)[0], 5.5, 1e-12);
+  EXPECT_EQ(cast(grid, {-1.5, 0.5}, ahead_and_back, Unknown::kWall)[0], 0.0);
+  EXPECT_NEAR(cast(grid, {-1.5, 0.5}, ahead_and_back, Unknown::kFree)[0], 5.5, 1e-12);
 }
 
 TEST(GridCaster, InACellThatStopsEveryBeamReadsNothing)
@@ -252,7 +251,7 @@ TEST(GridCaster, WhatIsOutOfReachIsInfinitelyFar)
   frame.resolution_m = 0.1;
   const OccupancyGrid grid = drawn({"#    #"}, frame);
   const auto range = [&](double reach_m) {
-    return cast(grid, {0.25, 0.05}, {0.0, 1.0, 1}, UnknownCells::kStop, reach_m)[0];
+    return cast(grid, {0.25, 0.05}, {0.0, 1.0, 1}, Unknown::kWall, reach_m)[0];
   };
   EXPECT_NEAR(range(0.26), 0.25, 1e-12);
   EXPECT_EQ(range(0.24), kInfinity);
@@ -269,7 +268,7 @@ TEST(GridCaster, WhatIsNoNumberReadsNoNumber)
 TEST(GridCaster, AllocatesNothingTheSecondTime)
 {
   const OccupancyGrid grid = random_grid_room(200, 20, 9);
-  const GridCaster caster(grid, UnknownCells::kStop);
+  const GridCaster caster(grid, Unknown::kWall);
   std::vector<double> ranges_m;
   caster.cast(free_places(grid, 1, 1)[0], full_turn(1440), kFar, ranges_m);
   const std::vector<Vector2d> places = free_places(grid, 20, 2);

@@ -18,6 +18,7 @@
 #include <array>
 #include <cmath>
 
+#include "stetro_site/frame_transform.hpp"
 #include "stetro_site/sensor_place.hpp"
 
 namespace stetro_bringup
@@ -225,7 +226,7 @@ void observe_odometry(const SensorFrame & frame, stetro_supervisor::Observation 
 {
   const auto & odometry = frame.odometry;
   seen.odometry = stetro_supervisor::OdometryPose{
-    frame.time, odometry.x_m, odometry.y_m, std::remainder(odometry.yaw_rad, 2.0 * M_PI)};
+    frame.time, odometry.x_m, odometry.y_m, stetro_site::wrap_angle(odometry.yaw_rad)};
 }
 
 void observe_pose(

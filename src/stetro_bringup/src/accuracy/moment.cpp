@@ -24,7 +24,6 @@ namespace stetro_bringup
 namespace
 {
 
-using stetro_localizer::Outcome;
 using stetro_localizer::Source;
 
 std::vector<Source> side_and_front_sources()
@@ -63,9 +62,7 @@ std::uint32_t in_sight_of(const stetro_localizer::SourceReports & reports)
   static const std::vector<Source> kSources = side_and_front_sources();
   std::uint32_t in_sight = 0;
   for (const Source source : kSources) {
-    const Outcome outcome = reports[source].outcome;
-    const bool sees = outcome == Outcome::kFused || outcome == Outcome::kGated;
-    in_sight = in_sight << 1U | (sees ? 1U : 0U);
+    in_sight = in_sight << 1U | (stetro_localizer::saw_target(reports[source].outcome) ? 1U : 0U);
   }
   return in_sight;
 }

@@ -20,6 +20,8 @@
 #include <limits>
 #include <type_traits>
 
+#include "stetro_site/frame_transform.hpp"
+
 namespace stetro_bringup
 {
 namespace
@@ -30,8 +32,6 @@ using stetro_driver::GroundTruth;
 using stetro_localizer::kUnknown;
 
 double or_else(double told, double otherwise) { return std::isnan(told) ? otherwise : told; }
-
-double wrapped(double angle_rad) { return std::remainder(angle_rad, 2.0 * M_PI); }
 
 /// From base_link to the riser ahead by the estimate's own word, if it gives one.
 template <class Estimate, class = void>
@@ -69,8 +69,8 @@ TreadErrors errors_of(
   errors.y_m = estimate.pose.y_m - truth.y_m;
   const double told_block2_m = or_else(estimate.block_heights_m[1], estimate.pose.z_m);
   errors.z_m = told_block2_m - flight.tread_z_m(step) - (truth.block_heights_m[1] - truth.z_m);
-  errors.heading_rad = wrapped(estimate.pose.yaw_rad - truth.yaw_rad);
-  errors.heading_to_riser_rad = wrapped(estimate.pose.yaw_rad - truth.heading_rad);
+  errors.heading_rad = stetro_site::wrap_angle(estimate.pose.yaw_rad - truth.yaw_rad);
+  errors.heading_to_riser_rad = stetro_site::wrap_angle(estimate.pose.yaw_rad - truth.heading_rad);
   errors.flight_x_m = estimate.pose.x_m - truth.x_m;
   errors.flight_z_m = estimate.pose.z_m - truth.z_m;
   return errors;

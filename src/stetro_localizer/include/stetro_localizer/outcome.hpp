@@ -33,6 +33,12 @@ enum class Outcome {
   kRefused      ///< unfit to be looked at; `Refusal` says why
 };
 
+/// Whether the sensor saw its target, believed or not.
+[[nodiscard]] constexpr bool saw_target(Outcome outcome)
+{
+  return outcome == Outcome::kFused || outcome == Outcome::kGated;
+}
+
 /// Why a sample was refused.
 enum class Refusal {
   kNone,

@@ -60,8 +60,7 @@ std::uint32_t in_sight(const SourceReports & reports)
 {
   std::uint32_t bits = 0;
   for (const Source source : kRangeSources) {
-    const Outcome outcome = reports[source].outcome;
-    bits = bits << 1U | (outcome == Outcome::kFused || outcome == Outcome::kGated ? 1U : 0U);
+    bits = bits << 1U | (saw_target(reports[source].outcome) ? 1U : 0U);
   }
   return bits;
 }

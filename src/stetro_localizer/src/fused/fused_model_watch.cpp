@@ -45,6 +45,15 @@ constexpr RangerPair kFrontPair{{
 
 double squared(double value) { return value * value; }
 
+/// The ranges that tell x, or y.
+const RangerPair & pair_along(int axis) { return axis == kStateX ? kFrontPair : kSidePair; }
+
+/// A range that has just agreed with the estimate would have told if it was wrong.
+bool vouches(const FusedCore & core, const PairedRanger & one)
+{
+  return seconds(core.time - core.used_at[static_cast<std::size_t>(one.ranger)]) < kJust;
+}
+
 }  // namespace
 
 // Before the first contact what shifts a range may as well be its calibration.
@@ -82,10 +91,9 @@ void FusedModel::note_slip(
 // To a single sensor a slip and a fault of its own look alike.
 bool FusedModel::told_by_one(const FusedCore & core, int axis) const
 {
-  const RangerPair & pair = axis == kStateX ? kFrontPair : kSidePair;
-  return !std::all_of(pair.begin(), pair.end(), [&core](const PairedRanger & one) {
-    return seconds(core.time - core.used_at[static_cast<std::size_t>(one.ranger)]) < kJust;
-  });
+  const RangerPair & pair = pair_along(axis);
+  return !std::all_of(
+    pair.begin(), pair.end(), [&core](const PairedRanger & one) { return vouches(core, one); });
 }
 
 double FusedModel::suspected_slip_m(const FusedCore & core, int axis) const
@@ -118,9 +126,8 @@ void FusedModel::explain_surprise(FusedCore & core, int axis, double surprise_m2
   const double of_offset = std::min(1.0, params_.fused.priors.range_offset_m / surprise_m);
   // More than an offset is likely to be, or what was taken for a slip was none.
   const bool of_gain = of_offset < 1.0 || std::abs(core.unconfirmed_m[axis]) > surprise_m / 2.0;
-  for (const PairedRanger & one : axis == kStateX ? kFrontPair : kSidePair) {
-    const Nanoseconds used_at = core.used_at[static_cast<std::size_t>(one.ranger)];
-    if (seconds(core.time - used_at) < kJust) {
+  for (const PairedRanger & one : pair_along(axis)) {
+    if (vouches(core, one)) {
       together[offset_index(one.ranger)] = -one.outward * of_offset;
       if (of_gain) {
         core.filter.inflate(gain_index(one.ranger), squared(params_.fused.priors.range_gain));
@@ -187,9 +194,8 @@ std::optional<Slip> FusedModel::watch_pair(
     const SourceReport & report = core.reports[one.source];
     const RangeReading & reading = sample[one.place];
     const double variance = range_variance_m2(reading.range_m);
-    const bool seen = report.outcome == Outcome::kFused || report.outcome == Outcome::kGated;
     if (
-      reading.status != RangeStatus::kValid || !seen ||
+      reading.status != RangeStatus::kValid || !saw_target(report.outcome) ||
       report.innovation_variance > kMostlyNoise * variance) {
       return std::nullopt;
     }
@@ -223,7 +229,7 @@ void FusedModel::doubt(FusedCore & core, int axis, double shift_m) const
   shift_m = doubtful_m(shift_m);
   core.doubted[axis] = true;
   core.filter.inflate(axis, squared(shift_m));
-  doubt_pair(core, axis == kStateX ? kFrontPair : kSidePair, shift_m);
+  doubt_pair(core, pair_along(axis), shift_m);
 }
 
 // The filter has followed a part of what shifts it before that is found: how far a sensor is out is

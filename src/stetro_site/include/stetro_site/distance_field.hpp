@@ -25,12 +25,6 @@
 namespace stetro_site
 {
 
-/// What cells nobody has seen are taken for, those outside the grid among them.
-enum class Unknown : std::uint8_t {
-  kWall,  ///< to drive: a robot keeps off what it does not know
-  kFree,  ///< to compare with ranges: only a wall that was seen is a wall
-};
-
 /// How far each cell of a grid is from the nearest wall.
 /**
  * A wall is a whole square cell, and the distance goes to its nearest edge or corner. From the

@@ -27,15 +27,13 @@ namespace stetro_site
 
 class WallTree;
 
-/// What a beam does where the map knows nothing, outside the grid included.
-enum class UnknownCells { kStop, kPass };
-
 /// Casts profiles on a grid map, exactly: a beam stops at the border of the first cell that stops.
 /**
- * An occupied cell stops beams, an unknown one as asked. The cells that stop belong together with
- * their borders: a beam that touches the corner of one, within 1e-12 rad, stops there, and none
- * passes between two that share but a corner. A scanner stands in the cell `cell_at` names, and at
- * least 1e-11 cells inside it; in a cell that stops it reads 0 in every direction.
+ * An occupied cell stops beams, an unknown one if it is taken for a wall. The cells that stop
+ * belong together with their borders: a beam that touches the corner of one, within 1e-12 rad,
+ * stops there, and none passes between two that share but a corner. A scanner stands in the cell
+ * `cell_at` names, and at least 1e-11 cells inside it; in a cell that stops it reads 0 in every
+ * direction.
  *
  * The borders between cells that stop and cells that do not, joined to the longest straight pieces,
  * are cast as segments that are seen from the free side: real maps have far fewer of them than
@@ -44,7 +42,7 @@ enum class UnknownCells { kStop, kPass };
 class GridCaster : public ProfileCaster
 {
 public:
-  GridCaster(OccupancyGrid grid, UnknownCells unknown);
+  GridCaster(OccupancyGrid grid, Unknown unknown);
 
   /// See `ProfileCaster::cast`. The fan may be more than a turn, of any step, either way round.
   /** Place, fan or reach that are not numbers read NaN; without a positive reach nothing is met. */
@@ -56,7 +54,7 @@ private:
   [[nodiscard]] bool stops_at(const Eigen::Vector2d & in_cells) const;
 
   OccupancyGrid grid_;
-  UnknownCells unknown_;
+  Unknown unknown_;
   std::shared_ptr<const WallTree> borders_;  ///< in cells
 };
 

@@ -26,6 +26,18 @@ namespace stetro_site
 /// What is known of a cell of a grid map.
 enum class Cell : std::uint8_t { kFree, kOccupied, kUnknown };
 
+/// What cells nobody has seen are taken for, those outside the grid among them.
+enum class Unknown : std::uint8_t {
+  kWall,  ///< to drive: a robot keeps off what it does not know
+  kFree,  ///< to compare with ranges: only a wall that was seen is a wall
+};
+
+/// Whether a cell is taken for a wall.
+[[nodiscard]] constexpr bool is_wall(Cell cell, Unknown unknown) noexcept
+{
+  return cell == Cell::kOccupied || (cell == Cell::kUnknown && unknown == Unknown::kWall);
+}
+
 /// A cell by its column (along the grid's x) and row (along its y), from the corner of its origin.
 struct CellIndex
 {
@@ -83,6 +95,13 @@ public:
   {
     return static_cast<std::size_t>(cell.row) * static_cast<std::size_t>(frame_.columns) +
            static_cast<std::size_t>(cell.column);
+  }
+
+  /// The cell of that position in `cells()`: the way back of `offset`.
+  [[nodiscard]] CellIndex cell(std::size_t offset) const noexcept
+  {
+    const auto at = static_cast<int>(offset);
+    return {at % frame_.columns, at / frame_.columns};
   }
 
   /// What is known of a cell; outside the grid nothing is: unknown.

@@ -14,7 +14,7 @@
 
 #include "stetro_supervisor/four_beams/azimuth.hpp"
 
-#include <cmath>
+#include "stetro_site/frame_transform.hpp"
 
 namespace stetro_supervisor
 {
@@ -28,7 +28,7 @@ constexpr double kPi = 3.14159265358979323846;
 
 double yaw_rad(double azimuth_rad)
 {
-  const double yaw = std::remainder(kPi / 2.0 - azimuth_rad, 2.0 * kPi);
+  const double yaw = stetro_site::wrap_angle(kPi / 2.0 - azimuth_rad);
   return yaw == -kPi ? kPi : yaw;
 }
 

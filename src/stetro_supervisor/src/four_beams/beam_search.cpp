@@ -115,8 +115,7 @@ AgreeingCells pick(
     }
     for (std::size_t i = 0; i < counts.agreeing.size(); ++i) {
       if (counts.agreeing[i] >= least) {
-        const int at = static_cast<int>(begin + i);
-        picked.cells.push_back({at % grid.columns(), at / grid.columns()});
+        picked.cells.push_back(grid.cell(begin + i));
         picked.supporting.push_back(static_cast<std::uint8_t>(counts.supporting[i]));
       }
     }

@@ -56,12 +56,6 @@ bool is_closed(const PerAzimuth<Reach> & reach)
   return std::all_of(reach.begin(), reach.end(), [](Reach r) { return r.first == r.last; });
 }
 
-CellIndex cell_of(const OccupancyGrid & grid, std::size_t offset)
-{
-  const int at = static_cast<int>(offset);
-  return {at % grid.columns(), at / grid.columns()};
-}
-
 }  // namespace
 
 FourBeamIndex::FourBeamIndex(const OccupancyGrid & grid)
@@ -99,7 +93,7 @@ void FourBeamIndex::fill_groups(const OccupancyGrid & grid, const Tables & table
     if (is_closed(reach)) {
       ++begin_[group(reach)];
     } else {
-      open_.push_back({reach, cell_of(grid, offset)});
+      open_.push_back({reach, grid.cell(offset)});
     }
   });
   std::uint32_t end = 0;
@@ -110,7 +104,7 @@ void FourBeamIndex::fill_groups(const OccupancyGrid & grid, const Tables & table
   closed_.resize(end);
   for_each_free(tables, [&](std::size_t offset, const PerAzimuth<Reach> & reach) {
     if (is_closed(reach)) {
-      const CellIndex cell = cell_of(grid, offset);
+      const CellIndex cell = grid.cell(offset);
       closed_[--begin_[group(reach)]] = {
         pack(reach[kWest].last, reach[kEast].last), static_cast<std::uint16_t>(cell.column),
         static_cast<std::uint16_t>(cell.row)};

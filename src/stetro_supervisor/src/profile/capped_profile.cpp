@@ -17,6 +17,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "edge_moments.hpp"
+
 namespace stetro_supervisor
 {
 
@@ -39,33 +41,18 @@ double median_range(const Beams & scan)
 std::optional<ProfileMoments> capped_moments(
   const Beams & scan, const std::vector<double> & ranges_m, double cap_m)
 {
-  MomentSum sum;
-  const auto known = [&scan](std::size_t i) { return scan.ranges_m()[i] > 0.0; };
-  const std::size_t edges = scan.closed() ? scan.size() : scan.size() - 1;
-  for (std::size_t i = 0; i < edges; ++i) {
-    const std::size_t next = i + 1 < scan.size() ? i + 1 : 0;
-    if (known(i) && known(next)) {
-      sum.add(
-        std::min(ranges_m[i], cap_m) * scan.directions()[i],
-        std::min(ranges_m[next], cap_m) * scan.directions()[next]);
-    }
-  }
-  return sum.moments();
+  return edge_moments(
+    scan, [&](std::size_t i) { return scan.ranges_m()[i] > 0.0; },
+    [&](std::size_t i) { return std::min(ranges_m[i], cap_m); });
 }
 
 std::optional<ProfileMoments> agreeing_moments(
   const Beams & scan, const std::vector<double> & ranges_m,
   const std::vector<BeamOutcome> & outcomes)
 {
-  MomentSum sum;
-  const std::size_t edges = scan.closed() ? scan.size() : scan.size() - 1;
-  for (std::size_t i = 0; i < edges; ++i) {
-    const std::size_t next = i + 1 < scan.size() ? i + 1 : 0;
-    if (outcomes[i] == BeamOutcome::kAgrees && outcomes[next] == BeamOutcome::kAgrees) {
-      sum.add(ranges_m[i] * scan.directions()[i], ranges_m[next] * scan.directions()[next]);
-    }
-  }
-  return sum.moments();
+  return edge_moments(
+    scan, [&](std::size_t i) { return outcomes[i] == BeamOutcome::kAgrees; },
+    [&](std::size_t i) { return ranges_m[i]; });
 }
 
 }  // namespace stetro_supervisor

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "stetro_site/frame_transform.hpp"
 #include "stetro_supervisor/profile/circular_misfit.hpp"
 
 namespace stetro_supervisor
@@ -59,7 +60,7 @@ std::vector<Place> best_of(std::vector<Place> places, std::size_t kept, double a
   std::vector<Place> best;
   for (const Place & place : places) {
     const bool neighbour = std::any_of(best.begin(), best.end(), [&](const Place & other) {
-      const double yaw = std::remainder(place.pose.yaw_rad - other.pose.yaw_rad, 2.0 * kPi);
+      const double yaw = stetro_site::wrap_angle(place.pose.yaw_rad - other.pose.yaw_rad);
       return std::abs(yaw) < turn &&
              (place.pose.position_m - other.pose.position_m).squaredNorm() < apart_m * apart_m;
     });

@@ -18,12 +18,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "stetro_site/frame_transform.hpp"
+
 namespace stetro_supervisor
 {
 namespace
 {
 
-constexpr double kTurn = 6.283185307179586;
 /// Poses nearer to each other than this many standard deviations are one.
 constexpr double kSame = 6.0;
 
@@ -88,7 +89,7 @@ double largest_sigma_m(const Eigen::Matrix3d & covariance)
 bool are_one(const ExplainedPlace & a, const ExplainedPlace & b)
 {
   const double sigma = largest_sigma_m(a.covariance) + largest_sigma_m(b.covariance);
-  const double turn = std::remainder(a.pose.yaw_rad - b.pose.yaw_rad, kTurn);
+  const double turn = stetro_site::wrap_angle(a.pose.yaw_rad - b.pose.yaw_rad);
   return (a.pose.position_m - b.pose.position_m).norm() <= kSame * sigma &&
          std::abs(turn) <= kSame * std::sqrt(a.covariance(2, 2) + b.covariance(2, 2));
 }

@@ -16,20 +16,16 @@
 
 #include <cmath>
 
+#include "edge_moments.hpp"
+
 namespace stetro_supervisor
 {
 
 std::optional<ProfileMoments> moments_of(const Beams & beams, const std::vector<double> & ranges_m)
 {
-  MomentSum sum;
-  const std::size_t edges = beams.closed() ? beams.size() : beams.size() - 1;
-  for (std::size_t i = 0; i < edges; ++i) {
-    const std::size_t next = i + 1 < beams.size() ? i + 1 : 0;
-    if (std::isfinite(ranges_m[i]) && std::isfinite(ranges_m[next])) {
-      sum.add(ranges_m[i] * beams.directions()[i], ranges_m[next] * beams.directions()[next]);
-    }
-  }
-  return sum.moments();
+  return edge_moments(
+    beams, [&](std::size_t i) { return std::isfinite(ranges_m[i]); },
+    [&](std::size_t i) { return ranges_m[i]; });
 }
 
 Eigen::Vector2d corrected_position(
