@@ -57,7 +57,7 @@ TEST(Fit, OfThePapersRobotAndStaircase)
   EXPECT_EQ(deployment.site.flights().size(), 1U);
   EXPECT_EQ(deployment.robot.name, "stetro");
   EXPECT_NO_THROW(
-    static_cast<void>(load_deployment(CONFIG_FOLDER "site/two_floor_building.yaml", kRobot)));
+    static_cast<void>(load_deployment(CONFIG_FOLDER "site/two_floors.yaml", kRobot)));
 }
 
 TEST(Fit, NeedsRoomBetweenTheSides)

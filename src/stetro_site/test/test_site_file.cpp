@@ -27,7 +27,7 @@ namespace
 {
 
 const char kPapers[] = "site/papers_staircase.yaml";
-const char kBuilding[] = "site/two_floor_building.yaml";
+const char kBuilding[] = "site/two_floors.yaml";
 
 /// Every fault of a text as "name: value 'x' refused, ..." without its place.
 std::string faults_of(const std::string & text)
@@ -68,16 +68,17 @@ TEST(SiteFile, OfThePapersReadsAsTheyPrintIt)
 TEST(SiteFile, OfABuildingReadsItsExceptionsAndItsTurn)
 {
   const Site site = load_site(std::string{CONFIG_FOLDER} + kBuilding);
-  EXPECT_EQ(site.flight("lower").riser_m(1), 0.14);
-  EXPECT_NEAR(site.flight("lower").total_rise_m(), 1.49, 1e-12);
-  EXPECT_EQ(site.neighbours("half_landing"), (std::vector<std::string>{"lower", "upper"}));
-  // The upper flight leads back: its first tread, at the right-hand wall, is at x = 9.2 - 0.16.
-  const Pose pose = site.flight("upper").T_map_flight().to_map(Pose{0.16, 0.0, 0.15, 0.0});
-  EXPECT_NEAR(pose.x_m, 9.04, 1e-12);
-  EXPECT_NEAR(pose.y_m, 3.4, 1e-12);
-  EXPECT_NEAR(pose.z_m, 1.64, 1e-12);
+  EXPECT_EQ(site.flight("lower").steps(), 16);
+  EXPECT_NEAR(site.flight("upper").total_rise_m(), 1.12, 1e-12);
+  EXPECT_EQ(site.neighbours("landing"), (std::vector<std::string>{"lower", "upper"}));
+  // The upper flight leads back: its first tread, at the right-hand wall, is at x = 10.12 - 0.16.
+  const Pose pose = site.flight("upper").T_map_flight().to_map(Pose{0.16, 0.0, 0.14, 0.0});
+  EXPECT_NEAR(pose.x_m, 9.96, 1e-12);
+  EXPECT_NEAR(pose.y_m, 4.6, 1e-12);
+  EXPECT_NEAR(pose.z_m, 2.38, 1e-12);
   const auto & ground = std::get<PolygonWalls>(site.floor("ground").drawing);
-  EXPECT_NEAR(signed_area_m2(ground.outline), 30.0, 1e-12);
+  // The room less its corner, and the stairs' first treads.
+  EXPECT_NEAR(signed_area_m2(ground.outline), 5.0 * 4.0 - 1.2 * 0.8 + 0.96 * 2.05, 1e-12);
   EXPECT_EQ(ground.obstacles.size(), 1U);
   EXPECT_EQ(site.origin("flights[1].width_m").line, site.origin("flights[1].tread_m").line + 1);
 }
@@ -140,16 +141,16 @@ TEST(SiteFile, RefusesExceptionsThatAreNone)
 
 TEST(SiteFile, ReportsAllFaultsOfAllFlightsAtOnce)
 {
-  std::string text = with(shipped(kBuilding), "riser_m: 0.15", "raiser_m: 0.15");
+  std::string text = with(shipped(kBuilding), "riser_m: 0.14", "raiser_m: 0.14");
   text = with(
-    text, "right: walled, left: walled}\n    pose: {x_m: 9.2",
+    text, "right: walled, left: walled}\n    wall_overrun_m: 0.0\n    pose: {x_m: 10.12",
     "right: glass}\n    pose: {x_m: .nan");
-  text = with(text, "{x_m: 6.0, y_m: 5.0}", "{x_m: 6.0}");
+  text = with(text, "{x_m: 5.96, y_m: 2.05}", "{x_m: 5.96}");
   EXPECT_EQ(
     faults_of(text),
     "floors[0].walls.outline[2].y_m: missing, accepted: a finite number\n"
     "flights[0].riser_m: missing, accepted: a finite number, 0.02 to 0.5\n"
-    "flights[0].raiser_m: value '0.15' refused, accepted: a known key; did you mean riser_m?\n"
+    "flights[0].raiser_m: value '0.14' refused, accepted: a known key; did you mean riser_m?\n"
     "flights[1].sides.right: value 'glass' refused, accepted: text (quoted if it looks like a "
     "number), one of walled, open\n"
     "flights[1].sides.left: missing, accepted: text (quoted if it looks like a number), one of "
@@ -179,7 +180,7 @@ TEST(SiteFile, PlacesAFlightOnItsLowerFloor)
 TEST(SiteFile, RefusesWallsThatMeetThemselves)
 {
   EXPECT_EQ(
-    faults_of(with(shipped(kBuilding), "{x_m: 6.0, y_m: 0.0}", "{x_m: -1.0, y_m: 4.0}")),
+    faults_of(with(shipped(kBuilding), "{x_m: 5.96, y_m: 0.0}", "{x_m: -1.0, y_m: 3.0}")),
     "floors[0].walls.outline: value 'the edge at corner 1 meets the edge at corner 3' refused, "
     "accepted: a closed line of three corners or more that never meets itself\n");
 }
