@@ -20,6 +20,8 @@
 #include <limits>
 #include <ostream>
 
+#include "stetro_site/frame_transform.hpp"
+
 namespace stetro_bringup
 {
 namespace
@@ -27,20 +29,20 @@ namespace
 
 constexpr double kDegreesPerRadian = 180.0 / M_PI;
 
-double wrapped(double angle_rad) { return std::remainder(angle_rad, 2.0 * M_PI); }
-
 }  // namespace
 
 ClimbReport::ClimbReport(const ReportFacts & facts) : facts_(facts) {}
 
-StepRow & ClimbReport::row_of(int step)
+StepRow & ClimbReport::row_of(const std::string & flight, int step)
 {
-  const auto found = std::find_if(
-    steps_.begin(), steps_.end(), [step](const StepRow & row) { return row.step == step; });
+  const auto found = std::find_if(steps_.begin(), steps_.end(), [&](const StepRow & row) {
+    return row.step == step && row.flight == flight;
+  });
   if (found != steps_.end()) {
     return *found;
   }
   StepRow fresh;
+  fresh.flight = flight;
   fresh.step = step;
   fresh.y_max_m = -std::numeric_limits<double>::infinity();
   fresh.y_min_m = std::numeric_limits<double>::infinity();
@@ -51,24 +53,25 @@ StepRow & ClimbReport::row_of(int step)
 void ClimbReport::add_sweeping(const TraceRow & row)
 {
   const bool lost = std::isnan(row.estimate.tread_y_m) || std::isnan(row.estimate.heading_rad);
-  if (row.estimate.step < 1 || lost) {
+  const auto width = facts_.widths_m.find(row.estimate.segment);
+  if (row.estimate.step < 1 || lost || width == facts_.widths_m.end()) {
     return;  // only treads are swept
   }
-  StepRow & step = row_of(row.estimate.step);
+  StepRow & step = row_of(row.estimate.segment, row.estimate.step);
   ++step.estimates;
   step.y_max_m = std::max(step.y_max_m, row.estimate.tread_y_m);
   step.y_min_m = std::min(step.y_min_m, row.estimate.tread_y_m);
-  step.closure_error_m = facts_.width_m - ((step.y_max_m - step.y_min_m) + facts_.contact_width_m);
+  step.closure_error_m = width->second - ((step.y_max_m - step.y_min_m) + facts_.contact_width_m);
   if (!row.truth) {
     return;
   }
-  if (row.truth->step != row.estimate.step) {
+  if (row.truth->segment != row.estimate.segment || row.truth->step != row.estimate.step) {
     ++errors_.wrong_step;  // places on two treads have no difference worth a mean
     return;
   }
   const double y = row.estimate.tread_y_m - row.truth->tread_y_m;
   const double x = row.estimate.tread_x_m - row.truth->tread_x_m;
-  const double heading = wrapped(row.estimate.heading_rad - row.truth->heading_rad);
+  const double heading = stetro_site::wrap_angle(row.estimate.heading_rad - row.truth->heading_rad);
   step.y_error_m.add(y);
   step.x_error_m.add(x);
   step.heading_error_rad.add(heading);
@@ -91,7 +94,12 @@ void print_table(std::ostream & out, const ClimbReport & report)
   out << "step   y_max   y_min  closure     y error (rms, max)   x error (rms)  heading error "
          "(rms, max)\n"
          "          cm      cm       cm             cm                  cm                 deg\n";
+  std::string flight = report.steps().empty() ? "" : report.steps().front().flight;
   for (const StepRow & step : report.steps()) {
+    if (step.flight != flight) {
+      flight = step.flight;
+      out << "flight " << flight << '\n';
+    }
     std::array<char, 160> line{};
     std::snprintf(
       line.data(), line.size(),
@@ -108,7 +116,7 @@ void write_steps_csv(std::ostream & out, const ClimbReport & report)
 {
   out << "step,estimates,y_max_m,y_min_m,closure_error_m,y_rmse_m,y_max_error_m,x_rmse_m,"
          "x_mean_error_m,heading_mean_error_rad,heading_std_rad,heading_rmse_rad,"
-         "heading_max_error_rad\n";
+         "heading_max_error_rad,flight\n";
   for (const StepRow & step : report.steps()) {
     out << step.step << ',' << step.estimates;
     for (const double value :
@@ -118,7 +126,7 @@ void write_steps_csv(std::ostream & out, const ClimbReport & report)
           step.heading_error_rad.rms(), step.heading_error_rad.max_abs()}) {
       put_field(out, value);
     }
-    out << '\n';
+    out << ',' << step.flight << '\n';
   }
 }
 

@@ -81,12 +81,81 @@ void print_staircase(std::ostream & out, const StaircaseFound & staircase)
   }
 }
 
+nlohmann::ordered_json hand_overs_json(const std::vector<SegmentChange> & hand_overs)
+{
+  auto all = nlohmann::ordered_json::array();
+  for (const SegmentChange & one : hand_overs) {
+    all.push_back(
+      {{"from", one.from},
+       {"to", one.to},
+       {"time_s", one.time_s},
+       {"jump_m", one.jump_m},
+       {"turn_rad", one.turn_rad}});
+  }
+  return all;
+}
+
+nlohmann::ordered_json kidnaps_json(const std::vector<Kidnap> & kidnaps)
+{
+  const auto told = [](const std::optional<double> & time_s) {
+    return time_s ? nlohmann::ordered_json(*time_s) : nlohmann::ordered_json(nullptr);
+  };
+  auto all = nlohmann::ordered_json::array();
+  for (const Kidnap & one : kidnaps) {
+    all.push_back(
+      {{"segment", one.segment},
+       {"time_s", one.time_s},
+       {"distance_m", one.distance_m},
+       {"turned_rad", one.turned_rad},
+       {"noticed_after_s", told(one.noticed_after_s)},
+       {"relocalised_after_s", told(one.relocalised_after_s)}});
+  }
+  return all;
+}
+
+void print_hand_overs(std::ostream & out, const std::vector<SegmentChange> & hand_overs)
+{
+  for (const SegmentChange & one : hand_overs) {
+    std::array<char, 160> text{};
+    std::snprintf(
+      text.data(), text.size(), "  hand-over     %6.2f cm, %.2f deg beyond the motion, %s to %s\n",
+      100.0 * one.jump_m, 180.0 / M_PI * one.turn_rad, one.from.c_str(), one.to.c_str());
+    out << text.data();
+  }
+}
+
+void print_kidnaps(std::ostream & out, const std::vector<Kidnap> & kidnaps)
+{
+  for (const Kidnap & one : kidnaps) {
+    std::array<char, 160> text{};
+    std::snprintf(
+      text.data(), text.size(), "  kidnap        %6.2f m and %.0f deg away on %s: ", one.distance_m,
+      180.0 / M_PI * one.turned_rad, one.segment.c_str());
+    out << text.data();
+    if (!one.noticed_after_s) {
+      out << "NOT NOTICED\n";
+      continue;
+    }
+    std::snprintf(
+      text.data(), text.size(), "noticed after %.1f s of motion, ", *one.noticed_after_s);
+    out << text.data();
+    if (one.relocalised_after_s) {
+      std::snprintf(
+        text.data(), text.size(), "relocalised %.1f s later\n", *one.relocalised_after_s);
+      out << text.data();
+    } else {
+      out << "NOT RELOCALISED\n";
+    }
+  }
+}
+
 }  // namespace
 
 std::string summary_json(const ClimbOutcome & outcome, const ClimbErrors & errors)
 {
   nlohmann::ordered_json summary;
   summary["completed"] = outcome.completed;
+  summary["final_segment"] = outcome.final_segment;
   summary["final_step"] = outcome.final_step;
   summary["integrity"] = outcome.integrity;
   summary["seed"] = outcome.seed;
@@ -105,6 +174,8 @@ std::string summary_json(const ClimbOutcome & outcome, const ClimbErrors & error
   summary["closure_error_mean_m"] = known(errors.closure_error_m.mean());
   summary["closure_error_std_m"] = known(errors.closure_error_m.standard_deviation());
   summary["staircase_as_built"] = staircase_json(outcome.staircase);
+  summary["hand_overs"] = hand_overs_json(outcome.hand_overs);
+  summary["kidnaps"] = kidnaps_json(outcome.kidnaps);
   summary["estimates_on_wrong_step"] = errors.wrong_step;
   summary["simulated_time_s"] = known(outcome.simulated_time_s);
   summary["wall_time_s"] = known(outcome.wall_time_s);
@@ -119,8 +190,8 @@ void print_summary(std::ostream & out, const ClimbOutcome & outcome, const Climb
     std::snprintf(text.data(), text.size(), format, a, b);
     out << text.data();
   };
-  out << (outcome.completed ? "climb completed" : "CLIMB NOT COMPLETED") << ", step "
-      << outcome.final_step << ", integrity " << outcome.integrity << ", estimator "
+  out << (outcome.completed ? "completed" : "NOT COMPLETED") << ", on " << outcome.final_segment
+      << ", step " << outcome.final_step << ", integrity " << outcome.integrity << ", estimator "
       << outcome.estimator << ", seed " << outcome.seed << '\n';
   line(
     "  y error       %6.2f cm rms, %.2f cm at most\n", 100.0 * errors.y_error_m.rms(),
@@ -140,6 +211,8 @@ void print_summary(std::ostream & out, const ClimbOutcome & outcome, const Climb
     "  closure       %6.2f cm mean, %.2f cm deviation (S-B eq. (3))\n",
     100.0 * errors.closure_error_m.mean(), 100.0 * errors.closure_error_m.standard_deviation());
   print_staircase(out, outcome.staircase);
+  print_hand_overs(out, outcome.hand_overs);
+  print_kidnaps(out, outcome.kidnaps);
   line(
     "  time          %6.0f s simulated in %.0f s\n", outcome.simulated_time_s, outcome.wall_time_s);
   for (const std::string & fault : outcome.faults) {
@@ -147,10 +220,10 @@ void print_summary(std::ostream & out, const ClimbOutcome & outcome, const Climb
   }
 }
 
-bool succeeded(const ClimbOutcome & outcome, int step_count)
+bool succeeded(const ClimbOutcome & outcome, const Goal & goal)
 {
-  return outcome.completed && outcome.final_step == step_count && outcome.integrity == "OK" &&
-         outcome.faults.empty();
+  return outcome.completed && outcome.final_segment == goal.segment &&
+         outcome.final_step == goal.step && outcome.integrity == "OK" && outcome.faults.empty();
 }
 
 }  // namespace stetro_bringup

@@ -64,7 +64,7 @@ TraceWriter::TraceWriter(std::ostream & out) : out_(out)
   for (const char * sensor : kTraceSensors) {
     out_ << ',' << sensor << "_m," << sensor << "_outcome";
   }
-  out_ << '\n';
+  out_ << ",segment,true_segment\n";
 }
 
 void TraceWriter::write(const TraceRow & row)
@@ -89,7 +89,7 @@ void TraceWriter::write(const TraceRow & row)
     put_field(out_, found->second.range_m);
     out_ << ',' << found->second.outcome;
   }
-  out_ << '\n';
+  out_ << ',' << row.estimate.segment << ',' << (row.truth ? row.truth->segment : "") << '\n';
 }
 
 }  // namespace stetro_bringup

@@ -23,11 +23,12 @@ namespace stetro_bringup
 namespace
 {
 
-constexpr ReportFacts kPapers{2.05, 0.23};
+const ReportFacts kPapers{{{"stairs", 2.05}}, 0.23};
 
 TraceRow sweeping(int step, double y_m, double true_y_m, double heading_rad = 0.0)
 {
   TraceRow row;
+  row.estimate.segment = "stairs";
   row.estimate.step = step;
   row.estimate.tread_y_m = y_m;
   row.estimate.heading_rad = heading_rad;
@@ -93,6 +94,23 @@ TEST(ClimbReport, HasNoErrorsWithoutTruth)
   EXPECT_EQ(report.steps()[0].estimates, 1u);
 }
 
+TEST(ClimbReport, KeepsTheFlightsApart)
+{
+  ClimbReport report{{{{"lower", 2.05}, {"upper", 1.60}}, 0.23}};
+  auto row = sweeping(1, 1.0, 1.0);
+  row.estimate.segment = row.truth->segment = "lower";
+  report.add_sweeping(row);
+  row.estimate.segment = "upper";
+  report.add_sweeping(row);
+  ASSERT_EQ(report.steps().size(), 2u);
+  EXPECT_NEAR(report.steps()[0].closure_error_m, 2.05 - 0.23, 1e-12);
+  EXPECT_NEAR(report.steps()[1].closure_error_m, 1.60 - 0.23, 1e-12);
+  EXPECT_EQ(report.errors().wrong_step, 1u) << "the truth was on the lower flight";
+  std::ostringstream table;
+  print_table(table, report);
+  EXPECT_NE(table.str().find("\nflight upper\n"), std::string::npos) << table.str();
+}
+
 TEST(ClimbReport, TakesNoErrorFromALostPose)
 {
   ClimbReport report{kPapers};
@@ -118,6 +136,7 @@ TEST(ClimbReport, WritesARowATread)
   EXPECT_EQ(line.substr(0, 4), "1,1,");
   ASSERT_TRUE(std::getline(lines, line));
   EXPECT_EQ(line.substr(0, 4), "2,1,");
+  EXPECT_EQ(line.substr(line.rfind(',')), ",stairs");
   EXPECT_EQ(line.find("nan"), std::string::npos) << "what is not known stays empty: " << line;
   EXPECT_FALSE(std::getline(lines, line));
 }

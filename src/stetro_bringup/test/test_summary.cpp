@@ -97,23 +97,43 @@ TEST(Summary, HasNoStaircaseWhereNoneWasMeasured)
   EXPECT_EQ(printed(ClimbOutcome{}).find("staircase"), std::string::npos);
 }
 
-TEST(Summary, CountsAClimbOnlyOnTheLastStepTrustedAndWithoutFault)
+TEST(Summary, TellsHandOversAndKidnaps)
+{
+  ClimbOutcome outcome;
+  outcome.hand_overs = {{"lower", "landing", 400.0, 0.004, -0.01}};
+  Kidnap noticed{"landing", 410.0, 1.5, 0.7, 2.5, std::nullopt};
+  outcome.kidnaps = {noticed};
+  const auto json = nlohmann::json::parse(summary_json(outcome, ClimbErrors{}));
+  EXPECT_EQ(json["hand_overs"][0]["to"], "landing");
+  EXPECT_EQ(json["hand_overs"][0]["jump_m"], 0.004);
+  EXPECT_EQ(json["kidnaps"][0]["noticed_after_s"], 2.5);
+  EXPECT_TRUE(json["kidnaps"][0]["relocalised_after_s"].is_null());
+  const std::string text = printed(outcome);
+  EXPECT_NE(text.find("0.40 cm, -0.57 deg beyond the motion, lower to landing"), std::string::npos)
+    << text;
+  EXPECT_NE(text.find("noticed after 2.5 s of motion, NOT RELOCALISED"), std::string::npos) << text;
+}
+
+TEST(Summary, CountsARunOnlyAtItsGoalTrustedAndWithoutFault)
 {
   ClimbOutcome good;
   good.completed = true;
+  good.final_segment = "stairs";
   good.final_step = 16;
   good.integrity = "OK";
-  EXPECT_TRUE(succeeded(good, 16));
-  EXPECT_FALSE(succeeded(good, 17));
+  const Goal top{"stairs", 16};
+  EXPECT_TRUE(succeeded(good, top));
+  EXPECT_FALSE(succeeded(good, {"stairs", 17}));
+  EXPECT_FALSE(succeeded(good, {"upper", 16}));
   auto outcome = good;
   outcome.completed = false;
-  EXPECT_FALSE(succeeded(outcome, 16));
+  EXPECT_FALSE(succeeded(outcome, top));
   outcome = good;
   outcome.integrity = "DEGRADED";
-  EXPECT_FALSE(succeeded(outcome, 16));
+  EXPECT_FALSE(succeeded(outcome, top));
   outcome = good;
   outcome.faults = {"bumper stuck"};
-  EXPECT_FALSE(succeeded(outcome, 16));
+  EXPECT_FALSE(succeeded(outcome, top));
 }
 
 }  // namespace stetro_bringup

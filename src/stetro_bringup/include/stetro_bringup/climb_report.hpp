@@ -15,6 +15,7 @@
 #define STETRO_BRINGUP__CLIMB_REPORT_HPP_
 
 #include <iosfwd>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,13 +29,14 @@ namespace stetro_bringup
 /// What the report needs to know of the staircase and the robot.
 struct ReportFacts
 {
-  double width_m = 0.0;          ///< W, between the walls, of the site file [m]
-  double contact_width_m = 0.0;  ///< R_w, bumper to bumper [m], D1-1
+  std::map<std::string, double> widths_m;  ///< W of each flight, between the walls, by the site [m]
+  double contact_width_m = 0.0;            ///< R_w, bumper to bumper [m], D1-1
 };
 
 /// One tread, as a row of the papers' table 3, and beside it the error against the world.
 struct StepRow
 {
+  std::string flight;
   int step = 0;
   double y_max_m = 0.0;          ///< largest estimate of y on this tread [m]
   double y_min_m = 0.0;          ///< smallest [m]
@@ -75,7 +77,7 @@ public:
   [[nodiscard]] ClimbErrors errors() const;
 
 private:
-  StepRow & row_of(int step);
+  StepRow & row_of(const std::string & flight, int step);
 
   ReportFacts facts_;
   std::vector<StepRow> steps_;

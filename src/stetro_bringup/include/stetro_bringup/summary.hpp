@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "stetro_bringup/climb_report.hpp"
+#include "stetro_bringup/journey_report.hpp"
 #include "stetro_bringup/staircase_found.hpp"
 
 namespace stetro_bringup
@@ -27,17 +28,20 @@ namespace stetro_bringup
 /// How a climb ended.
 struct ClimbOutcome
 {
-  bool completed = false;           ///< the mission was reported finished
-  int final_step = -1;              ///< last step the localizer stated, -1 unknown
-  std::string integrity;            ///< last integrity: OK, DEGRADED, LOST, UNKNOWN
-  std::uint64_t seed = 0;           ///< of the simulated world and its sensors
-  std::string estimator;            ///< paper or fused
-  std::string world;                ///< as-built or site
-  std::string calibration;          ///< factory or none
-  bool in_process = false;          ///< one process, or three over the loopback
-  double wall_time_s = 0.0;         ///< of the whole run, discovery included
-  double simulated_time_s = 0.0;    ///< the same on the robot's clock
-  StaircaseFound staircase;         ///< the last that the localizer said of it
+  bool completed = false;                 ///< the mission was reported finished
+  std::string final_segment;              ///< last flight or floor the localizer stated
+  int final_step = -1;                    ///< last step the localizer stated, -1 unknown
+  std::string integrity;                  ///< last integrity: OK, DEGRADED, LOST, UNKNOWN
+  std::uint64_t seed = 0;                 ///< of the simulated world and its sensors
+  std::string estimator;                  ///< paper or fused
+  std::string world;                      ///< as-built or site
+  std::string calibration;                ///< factory or none
+  bool in_process = false;                ///< one process, or three over the loopback
+  double wall_time_s = 0.0;               ///< of the whole run, discovery included
+  double simulated_time_s = 0.0;          ///< the same on the robot's clock
+  StaircaseFound staircase;               ///< the last that the localizer said of it
+  std::vector<SegmentChange> hand_overs;  ///< between floors and flights
+  std::vector<Kidnap> kidnaps;
   std::vector<std::string> faults;  ///< every fault the supervisor reported, in order
 };
 
@@ -47,8 +51,15 @@ struct ClimbOutcome
 /// The climb for a reader.
 void print_summary(std::ostream & out, const ClimbOutcome & outcome, const ClimbErrors & errors);
 
-/// A climb counts only when it ended on the last step, trusted, without a fault.
-[[nodiscard]] bool succeeded(const ClimbOutcome & outcome, int step_count);
+/// Where a run is to end: on a step of a flight, or on a floor (step 0).
+struct Goal
+{
+  std::string segment;
+  int step = 0;
+};
+
+/// A run counts only when it ended at its goal, trusted, without a fault.
+[[nodiscard]] bool succeeded(const ClimbOutcome & outcome, const Goal & goal);
 
 }  // namespace stetro_bringup
 

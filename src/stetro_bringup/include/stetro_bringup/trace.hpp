@@ -29,13 +29,14 @@ namespace stetro_bringup
 struct StairSample
 {
   std::chrono::nanoseconds stamp{0};  ///< time of validity
-  int step = -1;                      ///< tread block 2 stands on, 0 the floor below, -1 unknown
-  double x_m = 0.0;                   ///< flight frame, up the stairs
-  double y_m = 0.0;                   ///< flight frame, from the right wall
-  double z_m = 0.0;                   ///< flight frame, up
-  double heading_rad = 0.0;           ///< counter-clockwise from straight up the stairs
-  double tread_x_m = 0.0;             ///< from the nosing of the tread block 2 stands on
-  double tread_y_m = 0.0;             ///< from the right wall as it is here
+  std::string segment{};     ///< flight or floor, whose frame the rest is in; empty unknown
+  int step = -1;             ///< tread block 2 stands on, 0 the floor below, -1 unknown
+  double x_m = 0.0;          ///< flight frame, up the stairs
+  double y_m = 0.0;          ///< flight frame, from the right wall
+  double z_m = 0.0;          ///< flight frame, up
+  double heading_rad = 0.0;  ///< counter-clockwise from straight up the stairs
+  double tread_x_m = 0.0;    ///< from the nosing of the tread block 2 stands on
+  double tread_y_m = 0.0;    ///< from the right wall as it is here
 };
 
 /// One standard deviation of an estimate.

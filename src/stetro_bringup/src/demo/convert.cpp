@@ -43,6 +43,7 @@ std::optional<StairSample> sample_of(
     return std::nullopt;
   }
   const auto & pose = message.pose().pose();
+  sample.segment = message.segment_id().c_str();
   sample.step = message.step_index();
   sample.x_m = pose.position().x();
   sample.y_m = pose.position().y();

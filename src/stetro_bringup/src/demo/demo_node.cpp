@@ -40,10 +40,10 @@ constexpr stetro_dds::QosProfile recording()
 }  // namespace
 
 DemoNode::DemoNode(
-  stetro_dds::Context & context, stetro_dds::NodeOptions options, std::string flight_id,
+  stetro_dds::Context & context, stetro_dds::NodeOptions options, const Task & task,
   Recorder & recorder)
 : node_(context, std::move(options)),
-  flight_id_(std::move(flight_id)),
+  task_(task),
   recorder_(recorder),
   mission_requests_(node_.advertise<stetro_msgs::msg::MissionRequest>("mission", qos::kMission))
 {
@@ -76,13 +76,13 @@ void DemoNode::ask()
   message.header().stamp() = stamp_of(node_.clock().now());
   message.request_id() = request_id();
   message.issuer() = kIssuer;
-  message.kind() = request::KIND_CLEAN_FLIGHT;
-  message.segment_id() = flight_id_.c_str();
+  message.kind() = task_.is_journey ? request::KIND_GO_TO_SEGMENT : request::KIND_CLEAN_FLIGHT;
+  message.segment_id() = task_.goal.segment.c_str();
   message.step() = request::STEP_UNKNOWN;
   mission_requests_.publish(message);
 }
 
-std::string DemoNode::request_id() const { return "clean-" + std::to_string(asked_); }
+std::string DemoNode::request_id() const { return "demo-" + std::to_string(asked_); }
 
 bool DemoNode::ended() const
 {
@@ -162,9 +162,8 @@ void DemoNode::on_mission_status(const stetro_msgs::msg::MissionStatus & message
       awaiting_answer_ = false;
     }
   }
-  mission_ = {
-    message.mission(), message.state().c_str(), message.step(), message.step_count(),
-    message.fault().c_str()};
+  mission_ = {message.mission(), message.state().c_str(), message.segment_id().c_str(),
+              message.step(),    message.step_count(),    message.fault().c_str()};
   ended_at_ = over ? ended_at_ : now;
   std::string fault = message.fault().c_str();
   if (!fault.empty()) {

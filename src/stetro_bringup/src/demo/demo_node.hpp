@@ -21,6 +21,7 @@
 #include <string>
 #include <vector>
 
+#include "demo_options.hpp"
 #include "stetro_bringup/recorder.hpp"
 #include "stetro_bringup/staircase_found.hpp"
 #include "stetro_dds/node.hpp"
@@ -39,6 +40,7 @@ struct MissionView
 {
   std::uint8_t mission = 0;  ///< MISSION_* of MissionStatus
   std::string state;
+  std::string segment;
   int step = -1;
   int step_count = 0;
   std::string fault;
@@ -52,21 +54,21 @@ struct MissionView
 class DemoNode
 {
 public:
-  /// \param flight_id segment to clean
+  /// \param task what to ask for
   /// \param recorder takes what is heard; stays the caller's and must outlive the node
   DemoNode(
-    stetro_dds::Context & context, stetro_dds::NodeOptions options, std::string flight_id,
+    stetro_dds::Context & context, stetro_dds::NodeOptions options, const Task & task,
     Recorder & recorder);
 
   [[nodiscard]] stetro_dds::Node & node() { return node_; }
 
-  /// Asks for the flight, once the pose is trusted, until a supervisor accepts; call it often.
+  /// Asks for the task, once the pose is trusted, until a supervisor accepts; call it often.
   void ask();
 
   [[nodiscard]] bool accepted() const { return accepted_; }
   [[nodiscard]] const std::string & last_refusal() const { return refusal_; }
   [[nodiscard]] bool ended() const;     ///< finished, aborted or in fault
-  [[nodiscard]] bool finished() const;  ///< reached the top
+  [[nodiscard]] bool finished() const;  ///< reached the goal
   [[nodiscard]] const MissionView & mission() const { return mission_; }
   [[nodiscard]] const std::vector<std::string> & faults() const { return faults_; }
   [[nodiscard]] const std::optional<Estimate> & last_estimate() const { return last_estimate_; }
@@ -86,7 +88,7 @@ private:
   [[nodiscard]] std::string request_id() const;
 
   stetro_dds::Node node_;
-  const std::string flight_id_;
+  const Task task_;
   Recorder & recorder_;
   stetro_dds::Publisher<stetro_msgs::msg::MissionRequest> & mission_requests_;
   MissionView mission_;

@@ -15,8 +15,11 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <set>
 #include <sstream>
 #include <stdexcept>
+#include <system_error>
+#include <variant>
 
 namespace stetro_bringup
 {
@@ -41,14 +44,16 @@ std::filesystem::path prefix()
 }
 
 // At twenty times real time a sample easily overtakes the /clock message before it by some ticks.
+std::filesystem::path shipped_folder() { return prefix() / "share" / "stetro_bringup" / "config"; }
+
 constexpr const char * kFutureTolerance_s = "0.1";
 
-NodeSettings common(const DemoOptions & options)
+NodeSettings common(const DemoOptions & options, const Task & task)
 {
   return {
     {"site_file", quoted(options.site)},
     {"robot_file", quoted(options.robot)},
-    {"flight", quoted(options.flight)},
+    {"flight", quoted(task.start)},
     // Whatever the caller's ROS 2 is set to, a demo stays on this computer.
     {"dds.network", quoted("localhost")},
     {"dds.ros_distro", quoted("humble")}};
@@ -63,7 +68,57 @@ std::string joined(const std::vector<std::string> & texts)
   return all;
 }
 
+std::string shipped_sites()
+{
+  std::set<std::string> names;
+  std::error_code none;
+  for (const auto & file : std::filesystem::directory_iterator(shipped_folder() / "site", none)) {
+    names.insert(file.path().stem().string());
+  }
+  std::string all;
+  for (const std::string & name : names) {
+    all += (all.empty() ? "" : ", ") + name;
+  }
+  return all;
+}
+
+const stetro_site::Floor * highest_drawn(const stetro_site::Site & site)
+{
+  const stetro_site::Floor * highest = nullptr;
+  for (const stetro_site::Floor & floor : site.floors()) {
+    const bool drawn = !std::holds_alternative<std::monostate>(floor.drawing);
+    if (drawn && (highest == nullptr || floor.elevation_m() > highest->elevation_m())) {
+      highest = &floor;
+    }
+  }
+  return highest;
+}
+
 }  // namespace
+
+Task task_of(const DemoOptions & options, const stetro_site::Site & site)
+{
+  const stetro_site::Floor * floor =
+    options.goal.empty() ? highest_drawn(site) : &site.floor(options.goal);
+  if (floor != nullptr && options.flight.empty()) {
+    return {true, site.flights().front().id(), {floor->id, 0}};
+  }
+  const bool one = options.flight.empty() && site.flights().size() == 1;
+  const auto & flight = one ? site.flights().front() : site.flight(options.flight);
+  return {false, flight.id(), {flight.id(), flight.steps()}};
+}
+
+std::string site_file(const std::string & path_or_name)
+{
+  const auto shipped = shipped_folder() / "site" / (path_or_name + ".yaml");
+  for (const std::filesystem::path & file : {std::filesystem::path(path_or_name), shipped}) {
+    if (std::filesystem::is_regular_file(file)) {
+      return file.string();
+    }
+  }
+  throw std::runtime_error(
+    "--site " + path_or_name + ": neither a file nor one of the shipped sites " + shipped_sites());
+}
 
 void add_options(CLI::App & app, DemoOptions & options)
 {
@@ -79,14 +134,19 @@ void add_options(CLI::App & app, DemoOptions & options)
   app.add_option("--estimator", options.estimator, "how the localizer estimates")
     ->check(CLI::IsMember({"fused", "paper"}))
     ->capture_default_str();
-  app.add_option("--site", options.site, "site file: what the software believes")
-    ->check(CLI::ExistingFile)
-    ->default_str("the papers' staircase");
+  app
+    .add_option(
+      "--site", options.site,
+      "what the software believes: a site file, or a shipped one by name (" + shipped_sites() + ")")
+    ->capture_default_str();
   app.add_option("--robot", options.robot, "robot file")
     ->check(CLI::ExistingFile)
     ->default_str("the papers' robot");
-  app.add_option("--flight", options.flight, "id of the flight to climb")
-    ->default_str("the only one of the site");
+  auto * flight = app.add_option("--flight", options.flight, "id of the flight to climb");
+  flight->default_str("the only one of the site");
+  app.add_option("--goal", options.goal, "id of the floor to go to, from the lowest flight's foot")
+    ->excludes(flight)
+    ->default_str("the highest floor, if the site has drawings of floors");
   app.add_option("--world", options.world, "what is there: the site as built, or exactly the site")
     ->check(CLI::IsMember({"as-built", "site"}))
     ->capture_default_str();
@@ -104,9 +164,9 @@ void add_options(CLI::App & app, DemoOptions & options)
     ->capture_default_str();
 }
 
-NodeSettings driver_settings(const DemoOptions & options)
+NodeSettings driver_settings(const DemoOptions & options, const Task & task)
 {
-  NodeSettings settings = common(options);
+  NodeSettings settings = common(options, task);
   settings.insert(
     settings.end(), {{"sim.seed", std::to_string(options.seed)},
                      {"sim.world", quoted(options.world)},
@@ -117,9 +177,9 @@ NodeSettings driver_settings(const DemoOptions & options)
   return settings;
 }
 
-NodeSettings localizer_settings(const DemoOptions & options)
+NodeSettings localizer_settings(const DemoOptions & options, const Task & task)
 {
-  NodeSettings settings = common(options);
+  NodeSettings settings = common(options, task);
   settings.insert(
     settings.end(), {{"estimator", quoted(options.estimator)},
                      {"use_sim_time", "true"},
@@ -128,9 +188,9 @@ NodeSettings localizer_settings(const DemoOptions & options)
   return settings;
 }
 
-NodeSettings supervisor_settings(const DemoOptions & options)
+NodeSettings supervisor_settings(const DemoOptions & options, const Task & task)
 {
-  NodeSettings settings = common(options);
+  NodeSettings settings = common(options, task);
   settings.insert(
     settings.end(), {{"use_sim_time", "true"},
                      {"future_tolerance_s", kFutureTolerance_s},
@@ -140,7 +200,7 @@ NodeSettings supervisor_settings(const DemoOptions & options)
 
 std::string shipped_file(const std::string & name)
 {
-  const auto file = prefix() / "share" / "stetro_bringup" / "config" / name;
+  const auto file = shipped_folder() / name;
   if (!std::filesystem::exists(file)) {
     throw std::runtime_error("the installation is incomplete: " + file.string() + " is missing");
   }

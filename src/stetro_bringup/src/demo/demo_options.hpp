@@ -20,6 +20,8 @@
 #include <vector>
 
 #include "CLI/CLI.hpp"
+#include "stetro_bringup/summary.hpp"
+#include "stetro_site/site.hpp"
 
 namespace stetro_bringup
 {
@@ -31,10 +33,11 @@ struct DemoOptions
   std::uint64_t seed = 1;        ///< of the world, the sensors and the disturbances
   double speed = 20.0;           ///< simulated seconds a second at most
   std::string estimator = "fused";
-  std::string site;                ///< what the software believes; empty: the papers' staircase
-  std::string robot;               ///< empty: the papers' robot
-  std::string flight;              ///< id of the flight to clean; empty: the only one
-  std::string world = "as-built";  ///< what is there: as-built or site
+  std::string site = "papers_staircase";  ///< what the software believes: a file, or one shipped
+  std::string robot;                      ///< empty: the papers' robot
+  std::string flight;                     ///< id of the flight to clean; empty: the only one
+  std::string goal;                     ///< id of the floor to go to; empty: the highest drawn one
+  std::string world = "as-built";       ///< what is there: as-built or site
   std::string calibration = "factory";  ///< of the range sensors: factory or none
   std::vector<std::string> faults;      ///< to inject, by name
   bool in_process = false;              ///< one process on simulated time: a repeatable run
@@ -47,11 +50,27 @@ struct DemoOptions
 void add_options(CLI::App & app, DemoOptions & options);
 
 /// Parameters of one node, as the command line of ROS 2 takes them: name and YAML text.
+/// What is asked of the robot, and where it ends.
+struct Task
+{
+  bool is_journey = false;  ///< through the building to a floor; else one flight is cleaned
+  std::string start;        ///< flight in whose frame the robot starts
+  Goal goal;
+};
+
+/// The flight that was chosen, or the floor; of a building with drawn floors the highest of these.
+/** \throws std::out_of_range naming what was chosen and what there is */
+[[nodiscard]] Task task_of(const DemoOptions & options, const stetro_site::Site & site);
+
 using NodeSettings = std::vector<std::pair<std::string, std::string>>;
 
-[[nodiscard]] NodeSettings driver_settings(const DemoOptions & options);
-[[nodiscard]] NodeSettings localizer_settings(const DemoOptions & options);
-[[nodiscard]] NodeSettings supervisor_settings(const DemoOptions & options);
+[[nodiscard]] NodeSettings driver_settings(const DemoOptions & options, const Task & task);
+[[nodiscard]] NodeSettings localizer_settings(const DemoOptions & options, const Task & task);
+[[nodiscard]] NodeSettings supervisor_settings(const DemoOptions & options, const Task & task);
+
+/// The file that `--site` means: a path, or the name of a shipped site.
+/** \throws std::runtime_error if it is neither, naming the shipped ones */
+[[nodiscard]] std::string site_file(const std::string & path_or_name);
 
 /// The shipped file `name` of share/stetro_bringup/config, such as "site/papers_staircase.yaml".
 /** \throws std::runtime_error if the installation has no such file */

@@ -24,8 +24,8 @@
 #include <vector>
 
 #include "child_process.hpp"
-#include "climb_run.hpp"
 #include "demo_options.hpp"
+#include "demo_run.hpp"
 #include "stetro_bringup/robot.hpp"
 #include "stetro_site/fit.hpp"
 
@@ -42,21 +42,21 @@ struct Component
   NodeSettings settings;
 };
 
-std::vector<Component> components(const DemoOptions & options)
+std::vector<Component> components(const DemoOptions & options, const Task & task)
 {
   return {
-    {"driver", driver_settings(options)},
-    {"localizer", localizer_settings(options)},
-    {"supervisor", supervisor_settings(options)}};
+    {"driver", driver_settings(options, task)},
+    {"localizer", localizer_settings(options, task)},
+    {"supervisor", supervisor_settings(options, task)}};
 }
 
-int climb_in_process(
-  const DemoOptions & options, const ReportFacts & facts, int step_count,
+int run_in_process(
+  const DemoOptions & options, const Task & task, const stetro_site::Deployment & deployment,
   const stetro_dds::Launch & interruptible)
 {
   stetro_dds::RosArguments arguments;
   spdlog::set_level(spdlog::level::err);  // the progress line is told enough
-  for (const Component & component : components(options)) {
+  for (const Component & component : components(options, task)) {
     for (const auto & [name, value] : component.settings) {
       arguments.overrides.push_back({component.node, name, value});
     }
@@ -65,7 +65,7 @@ int climb_in_process(
   const auto configuration = configure_robot(launch);
   stetro_dds::Context context(launch.context_options());
   Robot robot(context, configuration);
-  ClimbRun run(context, options, facts, step_count);
+  DemoRun run(context, options, task, deployment);
   robot.add(run.node());
   while (run.goes_on()) {
     if (interruptible.stop_requested()) {
@@ -88,16 +88,16 @@ std::unique_ptr<ChildProcess> started(const Component & component, const DemoOpt
   return std::make_unique<ChildProcess>(command, options.out + '/' + component.node + ".log");
 }
 
-int climb_over_dds(
-  const DemoOptions & options, const ReportFacts & facts, int step_count,
+int run_over_dds(
+  const DemoOptions & options, const Task & task, const stetro_site::Deployment & deployment,
   const stetro_dds::Launch & launch)
 {
   std::vector<std::unique_ptr<ChildProcess>> processes;
-  for (const Component & component : components(options)) {
+  for (const Component & component : components(options, task)) {
     processes.push_back(started(component, options));
   }
   stetro_dds::Context context(launch.context_options());
-  ClimbRun run(context, options, facts, step_count);
+  DemoRun run(context, options, task, deployment);
   stetro_dds::Executor executor;
   executor.add(run.node());
   while (run.goes_on()) {
@@ -120,14 +120,6 @@ int climb_over_dds(
 }
 
 // The only flight of the site, or the one that was named.
-const stetro_site::Flight & chosen(const stetro_site::Site & site, const std::string & id)
-{
-  if (!id.empty() || site.flights().size() != 1) {
-    return site.flight(id);  // throws, naming those there are
-  }
-  return site.flights().front();
-}
-
 // A domain of the demo's own on this computer: a robot that lives on the caller's domain is not to
 // be commanded by a demo. Held by a lock, so that two demos do not meet either.
 void take_domain()
@@ -154,27 +146,31 @@ void take_domain()
   throw std::runtime_error("every domain from 10 to 99 is taken by another demo");
 }
 
-int climb(DemoOptions options, const stetro_dds::Launch & launch)
+std::string introduction(const Task & task, const stetro_site::Site & site)
 {
-  if (options.site.empty()) {
-    options.site = shipped_file("site/papers_staircase.yaml");
+  if (task.is_journey) {
+    return "going from the foot of '" + task.start + "' to floor '" + task.goal.segment + "' of " +
+           site.name();
   }
+  return "climbing " + std::to_string(task.goal.step) + " steps of '" + task.goal.segment + "'";
+}
+
+int demonstrate(DemoOptions options, const stetro_dds::Launch & launch)
+{
+  options.site = site_file(options.site);
   if (options.robot.empty()) {
     options.robot = shipped_file("robot/stetro.yaml");
   }
   const auto deployment = stetro_site::load_deployment(options.site, options.robot);
-  const auto & flight = chosen(deployment.site, options.flight);
-  options.flight = flight.id();
-  const ReportFacts facts{flight.width_m(0.0), deployment.robot.geometry.contact_width_m};
+  const Task task = task_of(options, deployment.site);
   start_afresh(options);
-  std::cout << "climbing " << flight.steps() << " steps of '" << options.flight << "', seed "
-            << options.seed
+  std::cout << introduction(task, deployment.site) << ", seed " << options.seed
             << (options.in_process
                   ? ", in one process"
                   : std::string(", three processes on ROS_DOMAIN_ID=") + getenv("ROS_DOMAIN_ID"))
             << std::endl;
-  return options.in_process ? climb_in_process(options, facts, flight.steps(), launch)
-                            : climb_over_dds(options, facts, flight.steps(), launch);
+  return options.in_process ? run_in_process(options, task, deployment, launch)
+                            : run_over_dds(options, task, deployment, launch);
 }
 
 }  // namespace
@@ -186,7 +182,11 @@ int main(int argc, char ** argv)
   stetro_bringup::DemoOptions options;
   return stetro_dds::run_main(
     argc, argv,
-    {"stetro_demo", "Lets the simulated robot climb a staircase and reports how it went.",
+    {"stetro_demo",
+     "Lets the simulated robot climb a staircase, or go from floor to floor, and reports how it "
+     "went.",
      [&options](CLI::App & app) { stetro_bringup::add_options(app, options); }},
-    [&options](stetro_dds::Launch & launch) { return stetro_bringup::climb(options, launch); });
+    [&options](stetro_dds::Launch & launch) {
+      return stetro_bringup::demonstrate(options, launch);
+    });
 }

@@ -32,6 +32,16 @@ std::string bar(int step, int count)
   return '[' + std::string(done, '#') + std::string(kBarWidth - done, '.') + ']';
 }
 
+std::string place_of(const MissionView & mission)
+{
+  if (mission.step_count == 0) {
+    return mission.segment;
+  }
+  std::array<char, 40> text{};
+  std::snprintf(text.data(), text.size(), "step %2d of %d", mission.step, mission.step_count);
+  return text.data();
+}
+
 }  // namespace
 
 Progress::Progress(std::ostream & out, bool terminal) : out_(out), terminal_(terminal) {}
@@ -41,19 +51,18 @@ void Progress::show(const MissionView & mission, double y_m, double simulated_s)
   std::array<char, 200> text{};
   if (terminal_) {
     std::snprintf(
-      text.data(), text.size(), "\r%s step %2d of %d  %-18s y %5.2f m  %4d:%02d simulated ",
-      bar(mission.step, mission.step_count).c_str(), mission.step, mission.step_count,
+      text.data(), text.size(), "\r%s %s  %-18s y %5.2f m  %4d:%02d simulated ",
+      bar(mission.step, mission.step_count).c_str(), place_of(mission).c_str(),
       mission.state.c_str(), y_m, static_cast<int>(simulated_s) / 60,
       static_cast<int>(simulated_s) % 60);
     out_ << text.data() << std::flush;
     last_ = "shown";
     return;
   }
-  std::snprintf(text.data(), text.size(), "step %2d of %d", mission.step, mission.step_count);
-  if (last_ == text.data()) {
+  if (last_ == place_of(mission)) {
     return;
   }
-  last_ = text.data();
+  last_ = place_of(mission);
   out_ << last_ << "  " << bar(mission.step, mission.step_count) << "  "
        << static_cast<int>(simulated_s) << " s simulated" << std::endl;
 }

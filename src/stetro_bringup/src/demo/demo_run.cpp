@@ -11,7 +11,7 @@
 // WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
 // See the License for the specific language governing permissions and
 // limitations under the License.
-#include "climb_run.hpp"
+#include "demo_run.hpp"
 
 #include <unistd.h>
 
@@ -51,32 +51,57 @@ stetro_dds::NodeOptions node_options()
   return options;
 }
 
+ReportFacts facts_of(const stetro_site::Deployment & deployment)
+{
+  ReportFacts facts;
+  facts.contact_width_m = deployment.robot.geometry.contact_width_m;
+  for (const stetro_site::Flight & flight : deployment.site.flights()) {
+    facts.widths_m[flight.id()] = flight.width_m(0.0);
+  }
+  return facts;
+}
+
 }  // namespace
 
-ClimbRun::ClimbRun(
-  stetro_dds::Context & context, const DemoOptions & options, const ReportFacts & facts,
-  int step_count)
+DemoRun::DemoRun(
+  stetro_dds::Context & context, const DemoOptions & options, const Task & task,
+  const stetro_site::Deployment & deployment)
 : options_(options),
-  step_count_(step_count),
+  task_(task),
   started_(Clock::now()),
   trace_file_(opened(options.out + "/trace.csv")),
   trace_(trace_file_),
-  report_(facts),
-  recorder_([this](const TraceRow & row, bool standing) {
-    trace_.write(row);
-    if (standing) {
-      report_.add_sweeping(row);
-    }
-  }),
-  demo_(context, node_options(), options.flight, recorder_),
+  report_(facts_of(deployment)),
+  journey_(SegmentFrames(deployment.site)),
+  recorder_([this](const TraceRow & row, bool standing) { take(row, standing); }),
+  demo_(context, node_options(), task, recorder_),
   progress_(std::cout, isatty(STDOUT_FILENO) == 1)
 {
+  if (task.is_journey) {
+    auto walls = opened(options.out + "/walls.csv");
+    write_walls(walls, deployment.site);
+    path_file_ = opened(options.out + "/path.csv");
+    path_.emplace(path_file_);
+  }
 }
 
-bool ClimbRun::goes_on()
+void DemoRun::take(const TraceRow & row, bool standing)
+{
+  trace_.write(row);
+  journey_.add(row);
+  if (standing) {
+    report_.add_sweeping(row);
+  }
+  if (path_) {
+    const auto truth = row.truth ? journey_.frames().in_map(*row.truth) : std::nullopt;
+    path_->write(row, journey_.frames().in_map(row.estimate), truth);
+  }
+}
+
+bool DemoRun::goes_on()
 {
   if (!demo_.accepted() && wall_time_s() > kPatience_s) {
-    give_up("no climb was accepted: " + demo_.last_refusal());
+    give_up("nothing was accepted: " + demo_.last_refusal());
   } else if (wall_time_s() > options_.time_limit_s) {
     give_up("not ended within " + std::to_string(options_.time_limit_s) + " s");
   }
@@ -94,13 +119,13 @@ bool ClimbRun::goes_on()
 }
 
 // It tells its diagnostics once a second. Who hears none reports the staircase as last told.
-bool ClimbRun::awaits_staircase() const
+bool DemoRun::awaits_staircase() const
 {
   return demo_.ended() && !demo_.knows_staircase() && Clock::now() - over_ < 3000ms;
 }
 
 // By the robot's clock, so that a run in one process asks at the same tick each time.
-void ClimbRun::ask()
+void DemoRun::ask()
 {
   const auto now = demo_.node().clock().now();
   if (now - asked_ >= 500ms) {
@@ -109,23 +134,24 @@ void ClimbRun::ask()
   }
 }
 
-void ClimbRun::give_up(const std::string & reason) { troubles_.push_back(reason); }
+void DemoRun::give_up(const std::string & reason) { troubles_.push_back(reason); }
 
-double ClimbRun::wall_time_s() const
+double DemoRun::wall_time_s() const
 {
   return std::chrono::duration<double>(Clock::now() - started_).count();
 }
 
-double ClimbRun::simulated_time_s() const
+double DemoRun::simulated_time_s() const
 {
   return std::chrono::duration<double>(demo_.ended_at() - demo_.started_at()).count();
 }
 
-ClimbOutcome ClimbRun::outcome() const
+ClimbOutcome DemoRun::outcome() const
 {
   ClimbOutcome outcome;
   outcome.completed = demo_.finished();
   if (demo_.last_estimate()) {
+    outcome.final_segment = demo_.last_estimate()->sample.segment;
     outcome.final_step = demo_.last_estimate()->sample.step;
     outcome.integrity = demo_.last_estimate()->integrity;
   }
@@ -137,16 +163,19 @@ ClimbOutcome ClimbRun::outcome() const
   outcome.wall_time_s = wall_time_s();
   outcome.simulated_time_s = simulated_time_s();
   outcome.staircase = demo_.staircase();
+  outcome.hand_overs = journey_.hand_overs();
+  outcome.kidnaps = journey_.kidnaps();
   outcome.faults = demo_.faults();
   outcome.faults.insert(outcome.faults.end(), troubles_.begin(), troubles_.end());
   return outcome;
 }
 
-int ClimbRun::report()
+int DemoRun::report()
 {
   progress_.close();
   recorder_.flush();
   trace_file_.close();
+  path_file_.close();
   const ClimbOutcome result = outcome();
   const ClimbErrors errors = report_.errors();
   auto steps = opened(options_.out + "/steps.csv");
@@ -157,18 +186,22 @@ int ClimbRun::report()
   std::cout << '\n';
   print_summary(std::cout, result, errors);
   if (!options_.no_plots) {
-    draw();
+    draw("climb");
+    if (task_.is_journey) {
+      draw("journey");
+    }
   }
   std::cout << "\nresults in " << options_.out << std::endl;
-  return succeeded(result, step_count_) ? 0 : 1;
+  return succeeded(result, task_.goal) ? 0 : 1;
 }
 
-void ClimbRun::draw() const
+void DemoRun::draw(const std::string & plot) const
 {
   const std::string settings =
     "trace='" + options_.out + "/trace.csv'; folder='" + options_.out + "'";
   ChildProcess gnuplot(
-    {"gnuplot", "-e", settings, shipped_file("../plots/climb.gp")}, options_.out + "/gnuplot.log");
+    {"gnuplot", "-e", settings, shipped_file("../plots/" + plot + ".gp")},
+    options_.out + "/gnuplot.log");
   while (!gnuplot.ended()) {
     std::this_thread::sleep_for(10ms);
   }

@@ -11,39 +11,43 @@
 // WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
 // See the License for the specific language governing permissions and
 // limitations under the License.
-#ifndef DEMO__CLIMB_RUN_HPP_
-#define DEMO__CLIMB_RUN_HPP_
+#ifndef DEMO__DEMO_RUN_HPP_
+#define DEMO__DEMO_RUN_HPP_
 
 #include <chrono>
 #include <fstream>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "building_plan.hpp"
 #include "demo_node.hpp"
 #include "demo_options.hpp"
 #include "progress.hpp"
 #include "stetro_bringup/climb_report.hpp"
+#include "stetro_bringup/journey_report.hpp"
 #include "stetro_bringup/recorder.hpp"
 #include "stetro_bringup/summary.hpp"
 #include "stetro_bringup/trace.hpp"
 #include "stetro_dds/context.hpp"
+#include "stetro_site/fit.hpp"
 
 namespace stetro_bringup
 {
 
-/// One climb from the request to the report: asks, records, shows, writes.
-class ClimbRun
+/// One climb or journey from the request to the report: asks, records, shows, writes.
+class DemoRun
 {
 public:
-  /// \param step_count of the flight: a climb that ends elsewhere has not succeeded
+  /// \param task a run that ends elsewhere than at its goal has not succeeded
   /// \throws std::runtime_error if the results cannot be written
-  ClimbRun(
-    stetro_dds::Context & context, const DemoOptions & options, const ReportFacts & facts,
-    int step_count);
+  DemoRun(
+    stetro_dds::Context & context, const DemoOptions & options, const Task & task,
+    const stetro_site::Deployment & deployment);
 
   [[nodiscard]] stetro_dds::Node & node() { return demo_.node(); }
 
-  /// Asks for the climb and shows how far it is; call it again and again.
+  /// Asks for the task and shows how far it is; call it again and again.
   /** \return whether it goes on */
   bool goes_on();
 
@@ -60,15 +64,19 @@ private:
   [[nodiscard]] ClimbOutcome outcome() const;
   [[nodiscard]] double wall_time_s() const;
   [[nodiscard]] double simulated_time_s() const;
+  void take(const TraceRow & row, bool standing);
   void ask();
-  void draw() const;
+  void draw(const std::string & plot) const;
 
   const DemoOptions & options_;
-  const int step_count_;
+  const Task task_;
   const std::chrono::steady_clock::time_point started_;
   std::ofstream trace_file_;
   TraceWriter trace_;
   ClimbReport report_;
+  JourneyReport journey_;
+  std::ofstream path_file_;
+  std::optional<PathWriter> path_;  // of a journey
   Recorder recorder_;
   DemoNode demo_;
   Progress progress_;
@@ -79,4 +87,4 @@ private:
 
 }  // namespace stetro_bringup
 
-#endif  // DEMO__CLIMB_RUN_HPP_
+#endif  // DEMO__DEMO_RUN_HPP_
