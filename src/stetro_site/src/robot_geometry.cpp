@@ -125,6 +125,17 @@ void check(const RobotGeometry & robot, Faults & faults)
       "range_sensor.min_range_m", metres(robot.range_sensor.min_range_m),
       "less than range_sensor.reliable_range_m, " + metres(robot.range_sensor.reliable_range_m));
   }
+  if (robot.lidar.min_range_m >= robot.lidar.max_range_m) {
+    faults.refuse(
+      "lidar.min_range_m", metres(robot.lidar.min_range_m),
+      "less than lidar.max_range_m, " + metres(robot.lidar.max_range_m));
+  }
+  if (robot.lidar.height_m <= robot.body_height_m) {
+    faults.refuse(
+      "lidar.height_m", metres(robot.lidar.height_m),
+      "more than body.height_m, " + metres(robot.body_height_m) +
+        ", or it looks at its own blocks");
+  }
   check_pair(robot, Place::kFrontLeft, Place::kFrontRight, faults);
   check_pair(robot, Place::kSideLeft, Place::kSideRight, faults);
   for (const Place place : kPlaces) {

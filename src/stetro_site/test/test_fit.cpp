@@ -56,8 +56,7 @@ TEST(Fit, OfThePapersRobotAndStaircase)
   const Deployment deployment = load_deployment(kPapers, kRobot);
   EXPECT_EQ(deployment.site.flights().size(), 1U);
   EXPECT_EQ(deployment.robot.name, "stetro");
-  EXPECT_NO_THROW(
-    static_cast<void>(load_deployment(CONFIG_FOLDER "site/two_floors.yaml", kRobot)));
+  EXPECT_NO_THROW(static_cast<void>(load_deployment(CONFIG_FOLDER "site/two_floors.yaml", kRobot)));
 }
 
 TEST(Fit, NeedsRoomBetweenTheSides)

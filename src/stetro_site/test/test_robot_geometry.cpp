@@ -84,6 +84,18 @@ TEST(RobotGeometry, RefusesContactNarrowerThanTheBody)
     "body.contact_width_m: value '0.19' refused, accepted: at least body.width_m, 0.2\n");
 }
 
+TEST(RobotGeometry, RefusesALidarThatSeesNothingOrItself)
+{
+  RobotGeometry robot;
+  robot.lidar.max_range_m = 0.15;
+  robot.lidar.height_m = 0.40;
+  EXPECT_EQ(
+    faults_of(robot),
+    "lidar.min_range_m: value '0.15' refused, accepted: less than lidar.max_range_m, 0.15\n"
+    "lidar.height_m: value '0.4' refused, accepted: more than body.height_m, 0.4, or it looks at "
+    "its own blocks\n");
+}
+
 TEST(RobotGeometry, RefusesARecessTheSensorCannotResolve)
 {
   RobotGeometry robot;

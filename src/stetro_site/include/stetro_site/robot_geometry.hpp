@@ -16,6 +16,7 @@
 #define STETRO_SITE__ROBOT_GEOMETRY_HPP_
 
 #include <array>
+#include <cstdint>
 #include <string>
 #include <utility>
 
@@ -48,6 +49,35 @@ struct RangeSensor
   [[nodiscard]] double sigma_at_m(double range_m) const;
 };
 
+/// The lidar on block 2: a full turn of beams in one level plane.
+struct Lidar
+{
+  double x_m = 0.0;           ///< in `base_link` [m]
+  double y_m = 0.0;           ///< in `base_link` [m]
+  double height_m = 0.45;     ///< above block 2's underside [m]
+  double yaw_rad = 0.0;       ///< of its own x axis in `base_link`, CCW [rad]
+  double min_range_m = 0.15;  ///< nearer is not resolved [m]
+  double max_range_m = 12.0;  ///< farther returns nothing [m]
+  std::int64_t beams = 720;   ///< of one turn, evenly; the first at -pi, counter-clockwise
+  double rate_hz = 10.0;      ///< turns a second [Hz]
+  double sigma_m = 0.01;      ///< standard deviation of one range [m]
+};
+
+template <class Visitor>
+void visit(Lidar & p, Visitor && each)
+{
+  using stetro_config::Within;
+  each("x_m", p.x_m, Within{-1.0, 1.0}, "in base_link [m]");
+  each("y_m", p.y_m, Within{-0.5, 0.5}, "in base_link [m]");
+  each("height_m", p.height_m, Within{0.0, 2.0}, "above block 2's underside [m]");
+  each("yaw_rad", p.yaw_rad, Within{-3.1416, 3.1416}, "of its x axis in base_link [rad]");
+  each("min_range_m", p.min_range_m, Within{0.0, 1.0}, "nearest it resolves [m]");
+  each("max_range_m", p.max_range_m, Within{0.5, 100.0}, "farther returns nothing [m]");
+  each("beams", p.beams, Within{4, 8192}, "of one turn");
+  each("rate_hz", p.rate_hz, Within{1.0, 50.0}, "turns a second [Hz]");
+  each("sigma_m", p.sigma_m, Within{1e-4, 0.2}, "standard deviation of one range [m]");
+}
+
 /// The body of the robot and where things sit on it.
 /**
  * Three equal blocks in a row, 1 in front, each free to slide up and down. `base_link` is the
@@ -75,6 +105,7 @@ struct RobotGeometry
     {0.0, 0.0, 0.035},    // block2_down
     {-0.11, 0.0, 0.07},   // block3_front
   }};
+  Lidar lidar;
 
   [[nodiscard]] const Mounting & at(Place place) const { return mountings[index_of(place)]; }
   [[nodiscard]] Mounting & at(Place place) { return mountings[index_of(place)]; }
@@ -128,6 +159,7 @@ void visit(RobotGeometry & p, Visitor && each)
       name + ".height_m", mounting.height_m, Within{0.0, 1.5}, "above its block's underside [m]");
     each(name + ".bias_m", mounting.bias_m, Within{-0.1, 0.1}, "reads this much too far [m]");
   }
+  visit(p.lidar, stetro_config::Group{"lidar", each});
 }
 
 }  // namespace stetro_site
