@@ -38,7 +38,7 @@ const stetro_site::Flight * find_flight(
     if (const auto * flight = site.find_flight(id)) {
       return flight;
     }
-  } else if (site.flights().size() == 1) {
+  } else if (site.flights().size() == 1 || has_drawn_floor(site)) {
     return &site.flights().front();
   }
   std::string accepted = "one of";
@@ -52,7 +52,7 @@ const stetro_site::Flight * find_flight(
 void check_start(const DriverSetup & setup, stetro_config::Faults & faults)
 {
   try {
-    SimRobot{shape_of(setup.flight), shape_of(setup.robot), sim_options(setup.params)};
+    SimRobot{building_of(setup), shape_of(setup.robot), sim_options(setup)};
   } catch (const std::invalid_argument & error) {
     std::string start;
     for (const double value : setup.params.sim.start) {
@@ -80,6 +80,19 @@ void check_snapshot_file(const std::string & file, stetro_config::Faults & fault
 
 }  // namespace
 
+BuildingShape building_of(const DriverSetup & setup)
+{
+  return shape_of(setup.site, setup.flight_id);
+}
+
+SimOptions sim_options(const DriverSetup & setup)
+{
+  SimOptions options = sim_options(setup.params);
+  options.lidar =
+    options.lidar || (setup.params.sim.lidar == "auto" && has_drawn_floor(setup.site));
+  return options;
+}
+
 void check(const DriverSetup & setup, stetro_config::Faults & faults)
 {
   check_start(setup, faults);
@@ -97,7 +110,7 @@ std::optional<DriverSetup> read_setup(const DriverParams & params, stetro_config
     if (flight == nullptr) {
       return std::nullopt;
     }
-    DriverSetup setup{params, *flight, deployment.robot};
+    DriverSetup setup{params, deployment.site, flight->id(), deployment.robot};
     if (faults.empty()) {  // else the parameters may contradict each other
       check(setup, faults);
     }

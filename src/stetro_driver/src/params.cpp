@@ -71,6 +71,9 @@ SimOptions sim_options(const DriverParams & params)
   options.as_built = params.sim.world == "as-built";
   options.errors = params.sim.errors;
   options.faults = parse_sim_faults(params.sim.faults);
+  options.lidar = params.sim.lidar == "on";
+  options.people = static_cast<int>(params.sim.people);
+  options.unmapped_boxes = static_cast<int>(params.sim.unmapped_boxes);
   options.snapshot_path = params.sim.snapshot_file;
   if (params.sim.start.size() == 3) {
     options.start = SimStart{params.sim.start[0], params.sim.start[1], params.sim.start[2]};

@@ -23,6 +23,7 @@
 #include <string>
 #include <vector>
 
+#include "buildings.hpp"
 #include "loopback.hpp"
 #include "pilot.hpp"
 #include "stetro_dds/qos.hpp"
@@ -34,6 +35,7 @@
 #include "stetro_msgs/CommandStatus.hpp"
 #include "stetro_msgs/Contacts.hpp"
 #include "stetro_msgs/Imu.hpp"
+#include "stetro_msgs/LaserScan.hpp"
 #include "stetro_msgs/PoseWithCovarianceStamped.hpp"
 #include "stetro_msgs/RangeArray.hpp"
 #include "stetro_msgs/StairPose.hpp"
@@ -51,14 +53,7 @@ using stetro_msgs::msg::CommandStatus;
 
 inline DriverSetup setup_of(const DriverParams & params)
 {
-  stetro_site::FlightSpec spec;
-  spec.id = "stairs";
-  spec.steps = stetro_site::equal_steps(16, 0.14, 0.32);
-  spec.width_foot_m = 2.05;
-  spec.width_top_m = 2.05;
-  spec.lower_floor = "ground";
-  spec.upper_floor = "first";
-  return DriverSetup{params, stetro_site::Flight{spec}, stetro_site::Robot{}};
+  return DriverSetup{params, site_of(paper_flight()), "stairs", stetro_site::Robot{}};
 }
 
 /// A perfect robot on perfect stairs.
@@ -92,15 +87,18 @@ protected:
     count<stetro_msgs::msg::RangeArray>("ranges", qos::kSensor);
     count<stetro_msgs::msg::Contacts>("contacts", qos::kContacts);
     count<stetro_msgs::msg::StairPose>("ground_truth", qos::kSensor);
+    count<sensor_msgs::msg::LaserScan>("scan", qos::kSensor);
     observer_.subscribe<CommandStatus>(
       "command_status", qos::kCommandStatus,
       [this](const CommandStatus & message) { answers_.push_back(message); });
     executor_.add(observer_);
   }
 
-  void launch(const DriverParams & params)
+  void launch(const DriverParams & params) { launch(setup_of(params)); }
+
+  void launch(const DriverSetup & setup)
   {
-    driver_.emplace(context_, named("driver"), setup_of(params));
+    driver_.emplace(context_, named("driver"), setup);
     executor_.add(driver_->node());
     ASSERT_TRUE(driver_->node().wait_matched({"command", "command_status", "ranges"}, seconds{10}));
     driver_->start();

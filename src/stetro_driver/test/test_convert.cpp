@@ -135,7 +135,7 @@ Vector3 rotated_x(const geometry_msgs::msg::Quaternion & q)
 TEST(Convert, SensorFramesLookAlongTheirBeams)
 {
   const BodyShape body;
-  const auto message = to_static_transforms(Time{1}, body);
+  const auto message = to_static_transforms(Time{1}, body, false);
   ASSERT_EQ(message.transforms().size(), kRangePlaces);
   for (std::size_t i = 0; i < kRangePlaces; ++i) {
     const Vector3 looks = rotated_x(message.transforms()[i].transform().rotation());
@@ -145,6 +145,71 @@ TEST(Convert, SensorFramesLookAlongTheirBeams)
   }
   EXPECT_EQ(message.transforms()[2].header().frame_id(), "block1");
   EXPECT_NEAR(message.transforms()[2].transform().translation().x(), 0.04, 1e-12);
+}
+
+TEST(Convert, TheLidarIsWhereTheRobotFileSays)
+{
+  BodyShape body;
+  body.lidar.x_m = 0.02;
+  body.lidar.yaw_rad = 1.5707963;
+  const auto message = to_static_transforms(Time{1}, body, true);
+  ASSERT_EQ(message.transforms().size(), kRangePlaces + 1);
+  const auto & lidar = message.transforms().back();
+  EXPECT_EQ(lidar.header().frame_id(), "base_link");
+  EXPECT_EQ(lidar.child_frame_id(), "lidar");
+  EXPECT_NEAR(lidar.transform().translation().x(), 0.02, 1e-12);
+  EXPECT_NEAR(lidar.transform().translation().z(), 0.45, 1e-12);
+  EXPECT_NEAR(rotated_x(lidar.transform().rotation()).y, 1.0, 1e-6);
+}
+
+TEST(Convert, AScanIsAFullTurnFromItsFirstBeam)
+{
+  LidarScan scan;
+  scan.stamp = std::chrono::milliseconds{1'000'100};
+  scan.angle_min_rad = -3.0;
+  scan.angle_increment_rad = 0.5;
+  scan.min_range_m = 0.15;
+  scan.max_range_m = 12.0;
+  scan.period_s = 0.1;
+  scan.ranges_m = {1.0F, std::numeric_limits<float>::infinity(), 2.5F};
+  const auto message = to_scan(scan);
+  EXPECT_EQ(message.header().frame_id(), "lidar");
+  EXPECT_EQ(time_of(message.header().stamp()), scan.stamp);
+  EXPECT_FLOAT_EQ(message.angle_min(), -3.0F);
+  EXPECT_FLOAT_EQ(message.angle_max(), -2.0F);
+  EXPECT_FLOAT_EQ(message.angle_increment(), 0.5F);
+  EXPECT_EQ(message.time_increment(), 0.0F);
+  EXPECT_FLOAT_EQ(message.scan_time(), 0.1F);
+  EXPECT_FLOAT_EQ(message.range_min(), 0.15F);
+  EXPECT_FLOAT_EQ(message.range_max(), 12.0F);
+  EXPECT_EQ(message.ranges(), scan.ranges_m);
+  EXPECT_TRUE(message.intensities().empty());
+}
+
+TEST(Convert, TruthSaysWhichSegmentItIsOn)
+{
+  namespace stair_pose = stetro_msgs::msg::StairPose_Constants;
+  GroundTruth truth;
+  truth.segment = "stairs";
+  truth.step = 3;
+  truth.y_m = 1.0;
+  const auto on_flight = to_ground_truth(truth, 16);
+  EXPECT_EQ(on_flight.segment_id(), "stairs");
+  EXPECT_EQ(on_flight.header().frame_id(), "stairs");
+  EXPECT_EQ(on_flight.segment_kind(), stair_pose::SEGMENT_FLIGHT);
+  EXPECT_EQ(on_flight.step_index(), 3);
+  EXPECT_EQ(on_flight.step_count(), 16);
+  EXPECT_EQ(on_flight.tread_y(), 1.0);
+  truth.segment = "ground";
+  truth.on_floor = true;
+  truth.step = 0;
+  const auto on_floor = to_ground_truth(truth, 0);
+  EXPECT_EQ(on_floor.segment_id(), "ground");
+  EXPECT_EQ(on_floor.header().frame_id(), "ground");
+  EXPECT_EQ(on_floor.segment_kind(), stair_pose::SEGMENT_FLOOR);
+  EXPECT_EQ(on_floor.step_count(), 0);
+  EXPECT_EQ(on_floor.pose().pose().position().y(), 1.0);
+  EXPECT_TRUE(std::isnan(on_floor.tread_y()));
 }
 
 TEST(Convert, BlocksHangWhereTheyAre)

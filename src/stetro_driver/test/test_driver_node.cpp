@@ -45,6 +45,22 @@ TEST_F(DriverNodeTest, TellsEachTopicAtItsRate)
   EXPECT_NEAR(received_["contacts"], 10, 1);
 }
 
+TEST_F(DriverNodeTest, ScansInABuildingWithDrawnFloors)
+{
+  const auto site = stetro_site::load_site(SITES "two_floors.yaml");
+  launch(DriverSetup{quiet(), site, "lower", stetro_site::Robot{}});
+  received_.clear();
+  step(100);
+  EXPECT_NEAR(received_["scan"], 10, 1);
+}
+
+TEST_F(DriverNodeTest, HasNoScanOnStairsAlone)
+{
+  launch(quiet());
+  step(50);
+  EXPECT_EQ(received_["scan"], 0);
+}
+
 TEST_F(DriverNodeTest, KeepsGroundTruthToItselfWhenToldTo)
 {
   DriverParams params = quiet();

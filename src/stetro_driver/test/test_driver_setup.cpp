@@ -16,6 +16,7 @@
 
 #include <filesystem>
 
+#include "buildings.hpp"
 #include "stetro_driver/driver_setup.hpp"
 
 namespace stetro_driver
@@ -26,15 +27,10 @@ namespace
 /// The faults of a driver on the papers' stairs.
 stetro_config::Faults faults_of(const DriverParams & params)
 {
-  stetro_site::FlightSpec spec;
-  spec.id = "stairs";
-  spec.steps = stetro_site::equal_steps(16, 0.14, 0.32);
-  spec.width_foot_m = 2.05;
-  spec.width_top_m = 2.05;
-  spec.lower_floor = "ground";
-  spec.upper_floor = "first";
   stetro_config::Faults faults;
-  check(DriverSetup{params, stetro_site::Flight{spec}, stetro_site::Robot{}}, faults);
+  check(
+    DriverSetup{params, test::site_of(test::paper_flight()), "stairs", stetro_site::Robot{}},
+    faults);
   return faults;
 }
 
@@ -64,6 +60,50 @@ TEST(DriverSetup, RefusesASnapshotWhereNoFileCanBe)
   params.sim.snapshot_file = ::testing::TempDir() + "driver_setup.snapshot";
   EXPECT_TRUE(faults_of(params).empty());
   EXPECT_FALSE(std::filesystem::exists(params.sim.snapshot_file)) << "looking makes nothing";
+}
+
+TEST(DriverSetup, StartsAtTheFirstFlightOfABuildingUnlessToldOtherwise)
+{
+  DriverParams params;
+  params.site_file = SITES "two_floors.yaml";
+  params.robot_file = SITES "../robot/stetro.yaml";
+  stetro_config::Faults faults;
+  EXPECT_EQ(read_setup(params, faults)->flight_id, "lower");
+  params.flight = "upper";
+  EXPECT_EQ(read_setup(params, faults)->flight().steps(), 8);
+  EXPECT_TRUE(faults.empty());
+  params.flight = "middle";
+  EXPECT_FALSE(read_setup(params, faults));
+  ASSERT_EQ(faults.size(), 1u);
+  EXPECT_EQ(faults[0].name, "flight");
+}
+
+TEST(DriverSetup, RefusesAStartBehindTheWallsOfAFloor)
+{
+  const auto site = stetro_site::load_site(SITES "two_floors.yaml");
+  DriverParams params;
+  for (const std::vector<double> & start :
+       {std::vector<double>{-6.0, 1.0, 0.0}, {-2.5, 2.0, 0.0}, {-4.9, 1.0, 0.0}}) {
+    params.sim.start = start;  // outside, in the column, and in the wall
+    stetro_config::Faults faults;
+    check(DriverSetup{params, site, "lower", stetro_site::Robot{}}, faults);
+    ASSERT_EQ(faults.size(), 1u) << start[0];
+    EXPECT_NE(faults[0].accepted.find("floor ground"), std::string::npos) << faults[0].accepted;
+  }
+}
+
+TEST(DriverSetup, SimulatesTheLidarWhereThereIsSomethingToSee)
+{
+  const stetro_site::Robot robot;
+  const auto drawn = stetro_site::load_site(SITES "two_floors.yaml");
+  const auto bare = test::site_of(test::paper_flight());
+  DriverParams params;
+  EXPECT_TRUE(sim_options(DriverSetup{params, drawn, "lower", robot}).lidar);
+  EXPECT_FALSE(sim_options(DriverSetup{params, bare, "stairs", robot}).lidar);
+  params.sim.lidar = "on";
+  EXPECT_TRUE(sim_options(DriverSetup{params, bare, "stairs", robot}).lidar);
+  params.sim.lidar = "off";
+  EXPECT_FALSE(sim_options(DriverSetup{params, drawn, "lower", robot}).lidar);
 }
 
 }  // namespace

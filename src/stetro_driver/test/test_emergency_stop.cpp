@@ -65,7 +65,7 @@ TEST_F(EmergencyStop, ALatchedEmergencyStopOutlivesTheDriver)
   params.sim.snapshot_file = path;
   {
     SimRobot before{
-      shape_of(setup_of(params).flight), shape_of(setup_of(params).robot), sim_options(params)};
+      shape_of(setup_of(params).flight()), shape_of(setup_of(params).robot), sim_options(params)};
     before.configure();
     for (int tick = 0; tick < 100; ++tick) {
       before.step();

@@ -64,12 +64,17 @@ TEST(DriverParams, ReachTheSimulation)
   params.sim.world = "site";
   params.sim.start = {1.0, 2.0, 0.1};
   params.sim.faults = "slip@3";
+  params.sim.people = 2;
+  params.sim.unmapped_boxes = 3;
   const SimOptions options = sim_options(params);
   EXPECT_EQ(options.seed, 7u);
   EXPECT_FALSE(options.as_built);
   ASSERT_TRUE(options.start);
   EXPECT_EQ(options.start->y_m, 2.0);
   EXPECT_EQ(options.faults.size(), 1u);
+  EXPECT_EQ(options.people, 2);
+  EXPECT_EQ(options.unmapped_boxes, 3);
+  EXPECT_FALSE(options.lidar);
   EXPECT_EQ(gate_limits(params).max_valid_for, std::chrono::milliseconds{200});
 }
 

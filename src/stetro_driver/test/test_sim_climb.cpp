@@ -16,6 +16,7 @@
 
 #include <cmath>
 
+#include "buildings.hpp"
 #include "pilot.hpp"
 
 namespace stetro_driver
@@ -100,6 +101,39 @@ TEST(SimClimb, ToTheTop)
   for (int block = 1; block <= 3; ++block) {
     EXPECT_NEAR(pilot.frame().block(block).height_m, 0.0, 1e-9) << "flush with the landing";
   }
+}
+
+// Ground floor, 16 steps, landing, 8 steps, first floor, each flight in its own frame.
+TEST(SimClimb, ThroughABuilding)
+{
+  SimOptions options = perfect();
+  options.start = SimStart{-1.0, 1.0, 0.0};
+  SimRobot robot{test::two_floors(), {}, options};
+  Pilot pilot{robot};
+  const auto climb_flight = [&](int steps, const char * flight) {
+    approach(pilot);
+    for (int step = 1; step <= steps; ++step) {
+      climb(pilot, step < steps);
+      ASSERT_EQ(robot.truth().segment, flight);
+      ASSERT_EQ(robot.truth().step, step);
+      ASSERT_FALSE(robot.truth().fallen);
+    }
+  };
+  climb_flight(16, "lower");
+  pilot.roll(0.1, 10.0);
+  EXPECT_EQ(robot.truth().segment, "landing");
+  pilot.steer(test::kHalfPi);
+  pilot.during(Pilot::twist(0.0, 0.1, 0.0), 25.0);
+  pilot.during(Pilot::twist(0.0, 0.0, 0.1), 31.416);
+  pilot.steer(0.0);
+  climb_flight(8, "upper");
+  pilot.roll(0.1, 5.0);
+  const GroundTruth truth = robot.truth();
+  EXPECT_EQ(truth.segment, "first");
+  EXPECT_EQ(truth.z_m, 0.0);
+  EXPECT_NEAR(truth.in_map.z_m, 3.36, 1e-9);
+  EXPECT_NEAR(truth.in_map.x_m, 10.12 - 2.56 + 0.085 - 0.5, 0.01);
+  EXPECT_NEAR(truth.in_map.y_m, 3.5, 0.01);
 }
 
 // With every error at its default, on stairs as built, from ten seeds.

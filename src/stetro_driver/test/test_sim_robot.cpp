@@ -262,11 +262,11 @@ TEST_F(SimRobotSnapshot, KeepsALatchedEmergencyStop)
 TEST_F(SimRobotSnapshot, OfAnotherLayoutIsOfAnotherWorld)
 {
   EXPECT_NE(
-    identity_of(paper_stairs(), {}, options_),
-    identity_of(paper_stairs(), {}, options_, kStateLayout + 1));
+    identity_of(building_of(paper_stairs()), {}, options_),
+    identity_of(building_of(paper_stairs()), {}, options_, kStateLayout + 1));
   // Whoever changes what a world stores changes this number, and kStateLayout with it.
-  EXPECT_EQ(kStateLayout, 4u);
-  EXPECT_EQ((SimRobot{paper_stairs(), {}, options_}.state().size()), 5451u);
+  EXPECT_EQ(kStateLayout, 5u);
+  EXPECT_EQ((SimRobot{paper_stairs(), {}, options_}.state().size()), 5468u);
 }
 
 TEST(StateReader, IsExhaustedByExactlyWhatIsThere)

@@ -14,6 +14,7 @@
 
 #include <gtest/gtest.h>
 
+#include "buildings.hpp"
 #include "stetro_driver/site_shape.hpp"
 
 namespace stetro_driver
@@ -41,6 +42,14 @@ TEST(SiteShape, TheDefaultRobotIsTheSimulatorsOwn)
     EXPECT_EQ(read.tof[i].direction.y, own.tof[i].direction.y) << kRangeNames[i];
     EXPECT_EQ(read.tof[i].direction.z, own.tof[i].direction.z) << kRangeNames[i];
   }
+  EXPECT_EQ(read.lidar.x_m, own.lidar.x_m);
+  EXPECT_EQ(read.lidar.y_m, own.lidar.y_m);
+  EXPECT_EQ(read.lidar.height_m, own.lidar.height_m);
+  EXPECT_EQ(read.lidar.yaw_rad, own.lidar.yaw_rad);
+  EXPECT_EQ(read.lidar.min_range_m, own.lidar.min_range_m);
+  EXPECT_EQ(read.lidar.max_range_m, own.lidar.max_range_m);
+  EXPECT_EQ(read.lidar.beams, own.lidar.beams);
+  EXPECT_EQ(read.lidar.rate_hz, own.lidar.rate_hz);
 }
 
 TEST(SiteShape, TakesTheFlightStepByStep)
@@ -61,6 +70,28 @@ TEST(SiteShape, TakesTheFlightStepByStep)
   EXPECT_EQ(shape.width_top_m, 2.0);
   EXPECT_TRUE(shape.right_walled);
   EXPECT_FALSE(shape.left_walled);
+}
+
+TEST(SiteShape, TakesTheWholeBuildingIfAFloorIsDrawn)
+{
+  const BuildingShape building = test::two_floors("upper");
+  ASSERT_EQ(building.flights.size(), 2u);
+  EXPECT_EQ(building.start, 1u);
+  EXPECT_EQ(building.flights[1].id, "upper");
+  EXPECT_EQ(building.flights[1].pose_in_map.z_m, 2.24);
+  ASSERT_EQ(building.floors.size(), 3u);
+  EXPECT_EQ(building.floors[building.flights[1].lower].id, "landing");
+  EXPECT_EQ(building.floors[building.flights[1].upper].id, "first");
+  EXPECT_TRUE(building.floors[0].drawn);
+  EXPECT_EQ(building.floors[0].walls.size(), 2u) << "the outline and the column";
+}
+
+TEST(SiteShape, TakesOneFlightAloneIfNoFloorIsDrawn)
+{
+  const BuildingShape building = shape_of(test::site_of(test::paper_flight()), "stairs");
+  EXPECT_EQ(building.flights.size(), 1u);
+  EXPECT_TRUE(building.floors.empty());
+  EXPECT_EQ(building.flights[0].lower, kNoFloor);
 }
 
 }  // namespace

@@ -78,6 +78,18 @@ TEST(StairWorld, SideWallsGoOnForAMetreOnly)
   EXPECT_FALSE(world.left_walled(6.13));
 }
 
+TEST(StairWorld, RisersEndAtTheSidesOnlyInABuilding)
+{
+  StairWorld world{paper_stairs()};
+  const Vector3 beside{-0.5, 3.0, 0.07};
+  EXPECT_TRUE(world.cast(beside, {1.0, 0.0, 0.0}, 3.0));
+  EXPECT_TRUE(world.riser_spans(0.0, 3.0));
+  world.end_at_sides();
+  EXPECT_FALSE(world.cast(beside, {1.0, 0.0, 0.0}, 3.0));
+  EXPECT_FALSE(world.riser_spans(0.0, 3.0));
+  EXPECT_TRUE(world.cast({-0.5, 1.0, 0.07}, {1.0, 0.0, 0.0}, 3.0));
+}
+
 // As built: each riser +-3 mm, each tread +-5 mm, one sigma half of that, over many seeds.
 TEST(StairWorld, IsBuiltWithinTolerance)
 {

@@ -16,6 +16,7 @@
 #define STETRO_DRIVER__BODY_SHAPE_HPP_
 
 #include <array>
+#include <cstddef>
 
 #include "stetro_driver/sensor_frame.hpp"
 
@@ -36,6 +37,19 @@ struct TofMounting
   int block = 1;                     ///< it rides on this block, 1 front to 3 rear
   Vector3 position_m{};              ///< x, y in base_link, z above the block's underside
   Vector3 direction{1.0, 0.0, 0.0};  ///< unit, in base_link
+};
+
+/// The lidar on block 2.
+struct LidarShape
+{
+  double x_m = 0.0;  ///< in base_link
+  double y_m = 0.0;
+  double height_m = 0.45;  ///< above block 2's underside
+  double yaw_rad = 0.0;    ///< of its x axis in base_link
+  double min_range_m = 0.15;
+  double max_range_m = 12.0;
+  std::size_t beams = 720;  ///< of one turn
+  double rate_hz = 10.0;
 };
 
 /// The robot's body: three blocks in a row, joined by vertical sliders.
@@ -61,6 +75,7 @@ struct BodyShape
     {2, {0.0, 0.0, 0.035}, {0.0, 0.0, -1.0}},
     {3, {-0.11, 0.0, 0.07}, {1.0, 0.0, 0.0}},
   }};
+  LidarShape lidar{};
 
   /// x of a block's centre in base_link. \param block 1 front to 3 rear
   [[nodiscard]] double block_x_m(int block) const { return (2 - block) * block_length_m; }

@@ -16,11 +16,14 @@
 #define STETRO_DRIVER__DRIVER_SETUP_HPP_
 
 #include <optional>
+#include <string>
 
 #include "stetro_config/fault.hpp"
+#include "stetro_driver/building_shape.hpp"
 #include "stetro_driver/params.hpp"
 #include "stetro_site/flight.hpp"
 #include "stetro_site/robot.hpp"
+#include "stetro_site/site.hpp"
 
 namespace stetro_driver
 {
@@ -29,9 +32,16 @@ namespace stetro_driver
 struct DriverSetup
 {
   DriverParams params;
-  stetro_site::Flight flight;  ///< the one that the simulated robot climbs
+  stetro_site::Site site;
+  std::string flight_id;  ///< of the one at which the simulated robot starts
   stetro_site::Robot robot;
+
+  [[nodiscard]] const stetro_site::Flight & flight() const { return site.flight(flight_id); }
 };
+
+/// The simulated robot's building, and how it is simulated: `sim.lidar: auto` is decided here.
+[[nodiscard]] BuildingShape building_of(const DriverSetup & setup);
+[[nodiscard]] SimOptions sim_options(const DriverSetup & setup);
 
 /// Reads the site and robot files that the parameters name. Nothing if a fault was added.
 [[nodiscard]] std::optional<DriverSetup> read_setup(

@@ -47,10 +47,13 @@ struct SimParams
   std::string world = "as-built";
   std::string faults;
   std::string snapshot_file;
-  std::vector<double> start;  ///< x, y [m] and yaw [rad] in the flight frame; empty: drawn
+  std::vector<double> start;  ///< x, y [m] and yaw [rad] in the frame of `flight`; empty: drawn
   double speed = 1.0;
   bool throttle = true;
   bool ground_truth = true;
+  std::string lidar = "auto";
+  std::int64_t people = 0;
+  std::int64_t unmapped_boxes = 0;
   SimErrors errors;
 };
 
@@ -93,10 +96,17 @@ void visit(SimParams & p, Visitor && each)
   each("snapshot_file", p.snapshot_file, Any{}, "the world goes on from it; empty: no snapshot");
   each(
     "start", p.start, stetro_config::Each{Within{-10.0, 100.0}, 0, 3},
-    "x, y [m], yaw [rad] in the flight frame; empty: drawn, 0.5 m before the stairs");
+    "x, y [m], yaw [rad] in the flight's frame; empty: drawn, 0.5 m before the stairs");
   each("speed", p.speed, Within{0.1, 1000.0}, "simulated seconds in a second");
   each("throttle", p.throttle, Any{}, "wait for localizer and supervisor when they fall behind");
   each("ground_truth", p.ground_truth, Any{}, "publish what is really so");
+  each(
+    "lidar", p.lidar, OneOf{"auto", "on", "off"},
+    "simulate and publish its scans; auto: if the site has a floor with a drawing");
+  each("people", p.people, Within{0, 100}, "walking on each drawn floor, seen by the lidar only");
+  each(
+    "unmapped_boxes", p.unmapped_boxes, Within{0, 100},
+    "on each drawn floor, seen by the lidar only");
   visit(p.errors, Group{"errors", each});
 }
 
@@ -109,7 +119,9 @@ void visit(DriverParams & p, Visitor && each)
   each("hardware", p.hardware, stetro_config::OneOf{"sim"}, "the robot behind the interface");
   each("site_file", p.site_file, Any{}, "the building, must be given");
   each("robot_file", p.robot_file, Any{}, "the robot, must be given");
-  each("flight", p.flight, Any{}, "id of the flight; empty: the only one of the site");
+  each(
+    "flight", p.flight, Any{},
+    "id of the flight to start at; empty: the only one, or the first if floors are drawn");
   each(
     "start_active", p.start_active, Any{}, "power the motors at the start, standing and holding");
   each("range_topics", p.range_topics, Any{}, "publish range/<sensor> too, for RViz");
@@ -123,6 +135,7 @@ void check(const DriverParams & params, stetro_config::Faults & faults);
 /// As the gate, the pacer and the simulation take them.
 [[nodiscard]] GateLimits gate_limits(const DriverParams & params);
 [[nodiscard]] PacerLimits pacer_limits(const DriverParams & params);
+/// Without the site, `sim.lidar: auto` is off.
 [[nodiscard]] SimOptions sim_options(const DriverParams & params);
 
 }  // namespace stetro_driver

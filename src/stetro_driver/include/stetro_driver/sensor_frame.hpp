@@ -20,6 +20,7 @@
 #include <cstdint>
 #include <limits>
 #include <string_view>
+#include <vector>
 
 #include "stetro_driver/time.hpp"
 
@@ -133,6 +134,18 @@ struct OdometryReading
   double turned_rad = 0.0;  ///< in all, either way
 };
 
+/// One turn of the lidar, taken in an instant. Ranges as REP 117, see RangeReading.
+struct LidarScan
+{
+  Time stamp{0};                     ///< of the first beam; zero when there never was one
+  double angle_min_rad = 0.0;        ///< of the first beam in the frame `lidar`
+  double angle_increment_rad = 0.0;  ///< counter-clockwise
+  double min_range_m = 0.0;
+  double max_range_m = 0.0;
+  double period_s = 0.0;  ///< from scan to scan
+  std::vector<float> ranges_m{};
+};
+
 /// Everything the robot's sensors say at one time.
 struct SensorFrame
 {
@@ -145,6 +158,9 @@ struct SensorFrame
   SteeringReading steering{};
   GyroReading gyro{};
   OdometryReading odometry{};
+  bool scan_complete = false;  ///< a turn of the lidar has just ended
+  const LidarScan * scan =
+    nullptr;  ///< the hardware's, good until it is read again; null: no lidar
 
   [[nodiscard]] const RangeReading & range(RangePlace place) const
   {

@@ -72,6 +72,10 @@ struct SimErrors
   double bumper_max_m = 0.001;
   double switch_max_m = 0.0005;
   double lift_height_max_m = 0.002;
+
+  // Lidar.
+  double lidar_std_m = 0.01;
+  double lidar_dropout_share = 0.03;
 };
 
 /// The list of SimErrors, see stetro_config/field.hpp.
@@ -134,6 +138,10 @@ void visit(SimErrors & p, Visitor && each)
   each("bumper_max_m", p.bumper_max_m, Within{0.0, 0.002}, "where a bumper closes, bound [m]");
   each("switch_max_m", p.switch_max_m, Within{0.0, 0.001}, "where a switch closes, bound [m]");
   each("lift_height_max_m", p.lift_height_max_m, Within{0.0, 0.01}, "heights of lifts, bound [m]");
+  each("lidar_std_m", p.lidar_std_m, Within{0.0, 0.2}, "noise of the lidar's ranges [m]");
+  each(
+    "lidar_dropout_share", p.lidar_dropout_share, Within{0.0, 1.0},
+    "of the lidar's beams that are lost [1]");
 }
 
 /// Numbers that contradict each other.

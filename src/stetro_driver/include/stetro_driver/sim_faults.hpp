@@ -38,7 +38,7 @@ enum class SimFaultKind {
   kMissedTouchdown,  ///< the next touch-down shows no lower lock and no load
   kDoubleTouchdown,  ///< the next touch-down of block 2 shows twice
   kOldTread,         ///< block 2's next roll slips throughout, and block3_front says it arrived
-  kKidnap,           ///< the robot is carried along its tread while nobody looks
+  kKidnap,           ///< the robot is carried along its tread, or elsewhere on its floor
   kEmergencyStop,    ///< someone presses the button
 };
 

@@ -23,15 +23,17 @@
 #include <vector>
 
 #include "stetro_driver/body_shape.hpp"
+#include "stetro_driver/building_shape.hpp"
 #include "stetro_driver/hardware_interface.hpp"
 #include "stetro_driver/sim_errors.hpp"
 #include "stetro_driver/sim_faults.hpp"
 #include "stetro_driver/stair_shape.hpp"
+#include "stetro_site/pose.hpp"
 
 namespace stetro_driver
 {
 
-/// Where base_link starts, seen from above, in the flight frame.
+/// Where base_link starts, seen from above, in the frame of the flight the robot starts at.
 struct SimStart
 {
   double x_m = 0.0;
@@ -47,24 +49,35 @@ struct SimOptions
   SimErrors errors{};
   std::vector<SimFault> faults{};
   std::optional<SimStart> start{};  ///< nothing: middle of the floor, about 0.5 m before the stairs
+  bool lidar = false;               ///< somebody wants its scans
+  int people = 0;                   ///< walking on each floor with walls, seen by the lidar only
+  int unmapped_boxes = 0;           ///< on each floor with walls, seen by the lidar only
   std::string snapshot_path{};      ///< empty: no snapshot
   Time origin = std::chrono::seconds{1000};  ///< simulated time starts here, well above zero
 };
 
 /// What is really so. For looking only: nothing of the robot may read it.
+/**
+ * On a floor that somebody has drawn, while base_link is neither on nor over the stairs, the
+ * segment is the floor; its frame is the floor's, `step` is 0, and what is said of treads is NaN.
+ * Else it is the flight, also on the floors before and behind it.
+ */
 struct GroundTruth
 {
   Time time{0};
-  int step = 0;      ///< tread block 2 stands, or last stood, on; 0 the floor below
-  double x_m = 0.0;  ///< base_link in the flight frame
+  std::string segment{};  ///< id of the flight or floor, which is also the name of its frame
+  bool on_floor = false;  ///< the segment is a floor
+  int step = 0;           ///< tread block 2 stands, or last stood, on; 0 the floor below
+  double x_m = 0.0;       ///< base_link in the segment's frame
   double y_m = 0.0;
   double z_m = 0.0;  ///< of the surface of `step`
   double yaw_rad = 0.0;
+  stetro_site::Pose in_map{};  ///< the same pose in `map`, heights as built
   double tread_x_m = 0.0;      ///< from the riser behind, the tread's own edge, at the robot's y
   double riser_ahead_m = 0.0;  ///< to the next riser's face; NaN on the last step
   double tread_width_m = 0.0;  ///< from wall to wall at the robot's x
   double heading_rad = 0.0;    ///< yaw against the next riser's direction; yaw on the last step
-  std::array<double, kBlocks> block_heights_m{};  ///< undersides in the flight frame
+  std::array<double, kBlocks> block_heights_m{};  ///< undersides in the segment's frame
   bool fallen = false;
 };
 
@@ -81,7 +94,8 @@ enum class ResumeOutcome {
  * Deterministic: the same options give the same bits. It has no clock: each step() is one tick of
  * simulated time. A tick moves the actuators as the last write() says, the body as its surroundings
  * allow, then reads the sensors: gyro, wheels, switches and lifts each tick, ranges at 30 Hz and
- * 20 ms late. With a snapshot path the world is stored after each tick, before anyone is told.
+ * 20 ms late, the lidar if it is wanted. With a snapshot path the world is stored after each tick,
+ * before anyone is told.
  */
 class SimRobot final : public HardwareInterface
 {
@@ -89,6 +103,9 @@ public:
   static constexpr Time kTick = std::chrono::milliseconds{10};
 
   /// \throws std::invalid_argument when the robot does not fit where it starts, or a shape is empty
+  SimRobot(const BuildingShape & building, const BodyShape & body, const SimOptions & options);
+
+  /// On one flight, of whose floors nothing is known.
   SimRobot(const StairShape & stairs, const BodyShape & body, const SimOptions & options);
   ~SimRobot() override;
 

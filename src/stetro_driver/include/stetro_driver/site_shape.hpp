@@ -15,16 +15,33 @@
 #ifndef STETRO_DRIVER__SITE_SHAPE_HPP_
 #define STETRO_DRIVER__SITE_SHAPE_HPP_
 
+#include <string>
+
 #include "stetro_driver/body_shape.hpp"
+#include "stetro_driver/building_shape.hpp"
 #include "stetro_driver/stair_shape.hpp"
 #include "stetro_site/flight.hpp"
 #include "stetro_site/robot.hpp"
+#include "stetro_site/site.hpp"
 
 namespace stetro_driver
 {
 
 /// The measures of a flight, as its site file gives them.
 [[nodiscard]] StairShape shape_of(const stetro_site::Flight & flight);
+
+/// A site as the simulator takes it.
+/**
+ * Floors and all flights if any floor is drawn; else the one flight alone, of which nothing but
+ * the stairs is known. Walls are those of floors drawn as polygons; one drawn as a grid map has
+ * none.
+ * \param flight id of the one in whose frame the robot starts
+ * \throws std::out_of_range naming the id and those there are
+ */
+[[nodiscard]] BuildingShape shape_of(const stetro_site::Site & site, const std::string & flight);
+
+/// Whether somebody has drawn a floor of the site.
+[[nodiscard]] bool has_drawn_floor(const stetro_site::Site & site);
 
 /// The measures of a robot, as its file gives them. What the file leaves open keeps its default.
 [[nodiscard]] BodyShape shape_of(const stetro_site::Robot & robot);

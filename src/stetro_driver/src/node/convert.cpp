@@ -30,6 +30,7 @@ namespace contact = stetro_msgs::msg::ContactState_Constants;
 namespace command = stetro_msgs::msg::Command_Constants;
 
 constexpr char kBase[] = "base_link";
+constexpr char kLidar[] = "lidar";
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 // A wheel's share of what the ground does to it, as a variance per axis of a velocity sample.
 constexpr double kSpeedVariance = 1e-4;  // (1 cm/s)^2
@@ -309,7 +310,24 @@ tf2_msgs::msg::TFMessage to_transforms(const SensorFrame & frame, const BodyShap
   return message;
 }
 
-tf2_msgs::msg::TFMessage to_static_transforms(Time time, const BodyShape & body)
+sensor_msgs::msg::LaserScan to_scan(const LidarScan & scan)
+{
+  const auto beams = static_cast<double>(scan.ranges_m.size());
+  sensor_msgs::msg::LaserScan message;
+  message.header(header_of(scan.stamp, kLidar));
+  message.angle_min(static_cast<float>(scan.angle_min_rad));
+  message.angle_max(
+    static_cast<float>(scan.angle_min_rad + (beams - 1.0) * scan.angle_increment_rad));
+  message.angle_increment(static_cast<float>(scan.angle_increment_rad));
+  message.time_increment(0.0F);  // a turn is one instant
+  message.scan_time(static_cast<float>(scan.period_s));
+  message.range_min(static_cast<float>(scan.min_range_m));
+  message.range_max(static_cast<float>(scan.max_range_m));
+  message.ranges(scan.ranges_m);
+  return message;
+}
+
+tf2_msgs::msg::TFMessage to_static_transforms(Time time, const BodyShape & body, bool lidar)
 {
   tf2_msgs::msg::TFMessage message;
   for (std::size_t i = 0; i < kRangePlaces; ++i) {
@@ -319,16 +337,21 @@ tf2_msgs::msg::TFMessage to_static_transforms(Time time, const BodyShape & body)
       {tof.position_m.x - body.block_x_m(tof.block), tof.position_m.y, tof.position_m.z},
       along(tof.direction)));
   }
+  if (lidar) {
+    message.transforms().push_back(transform(
+      time, kBase, kLidar, {body.lidar.x_m, body.lidar.y_m, body.lidar.height_m},
+      turned(body.lidar.yaw_rad)));
+  }
   return message;
 }
 
-stetro_msgs::msg::StairPose to_ground_truth(
-  const GroundTruth & truth, const std::string & flight, int steps)
+stetro_msgs::msg::StairPose to_ground_truth(const GroundTruth & truth, int steps)
 {
+  namespace stair_pose = stetro_msgs::msg::StairPose_Constants;
   stetro_msgs::msg::StairPose message;
-  message.header(header_of(truth.time, flight));
-  message.segment_id(flight);
-  message.segment_kind(stetro_msgs::msg::StairPose_Constants::SEGMENT_FLIGHT);
+  message.header(header_of(truth.time, truth.segment));
+  message.segment_id(truth.segment);
+  message.segment_kind(truth.on_floor ? stair_pose::SEGMENT_FLOOR : stair_pose::SEGMENT_FLIGHT);
   message.step_index(truth.step);
   message.step_count(steps);
   message.step_probability(1.0);
@@ -337,7 +360,7 @@ stetro_msgs::msg::StairPose to_ground_truth(
   message.pose().pose().position().z(truth.z_m);
   message.pose().pose().orientation(turned(truth.yaw_rad));
   message.tread_x(truth.tread_x_m);
-  message.tread_y(truth.y_m);
+  message.tread_y(truth.on_floor ? kUnknown : truth.y_m);
   message.block_heights(truth.block_heights_m);
   message.protection_along(kUnknown);
   message.protection_across(kUnknown);

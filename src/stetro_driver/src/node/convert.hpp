@@ -29,6 +29,7 @@
 #include "stetro_msgs/CommandStatus.hpp"
 #include "stetro_msgs/Contacts.hpp"
 #include "stetro_msgs/Imu.hpp"
+#include "stetro_msgs/LaserScan.hpp"
 #include "stetro_msgs/Odometry.hpp"
 #include "stetro_msgs/Range.hpp"
 #include "stetro_msgs/RangeArray.hpp"
@@ -63,12 +64,15 @@ using stetro_dds::time_of;
 [[nodiscard]] tf2_msgs::msg::TFMessage to_transforms(
   const SensorFrame & frame, const BodyShape & body);
 
-/// block -> sensor, for each range sensor; x along its beam.
-[[nodiscard]] tf2_msgs::msg::TFMessage to_static_transforms(Time time, const BodyShape & body);
+[[nodiscard]] sensor_msgs::msg::LaserScan to_scan(const LidarScan & scan);
 
-/// What is really so, as a pose on the stairs. Covariance, integrity and protection stay unknown.
-[[nodiscard]] stetro_msgs::msg::StairPose to_ground_truth(
-  const GroundTruth & truth, const std::string & flight, int steps);
+/// block -> sensor, for each range sensor; x along its beam. And base_link -> lidar, if wanted.
+[[nodiscard]] tf2_msgs::msg::TFMessage to_static_transforms(
+  Time time, const BodyShape & body, bool lidar);
+
+/// What is really so, as a pose on the stairs or a floor. Covariance, integrity and protection stay
+/// unknown. \param steps of the flight; 0 on a floor
+[[nodiscard]] stetro_msgs::msg::StairPose to_ground_truth(const GroundTruth & truth, int steps);
 
 }  // namespace stetro_driver
 

@@ -53,7 +53,7 @@ class DriverNode::Body
 public:
   Body(stetro_dds::Context & context, stetro_dds::NodeOptions options, const DriverSetup & setup)
   : start_active_(setup.params.start_active),
-    robot_(shape_of(setup.flight), shape_of(setup.robot), sim_options(setup.params)),
+    robot_(building_of(setup), shape_of(setup.robot), sim_options(setup)),
     pacer_(pacer_limits(setup.params), SimRobot::kTick),
     node_(context, by_hand(std::move(options))),
     topics_(node_, setup),

@@ -15,6 +15,7 @@
 #include "node/driver_topics.hpp"
 
 #include <algorithm>
+#include <string>
 
 #include "stetro_dds/qos.hpp"
 #include "stetro_driver/site_shape.hpp"
@@ -32,8 +33,8 @@ constexpr Time kContactsPeriod = std::chrono::milliseconds{100};
 
 DriverTopics::DriverTopics(stetro_dds::Node & node, const DriverSetup & setup)
 : body_(shape_of(setup.robot)),
-  flight_(setup.flight.id()),
-  steps_(setup.flight.steps()),
+  site_(setup.site),
+  lidar_(sim_options(setup).lidar),
   range_sensor_(setup.robot.geometry.range_sensor),
   clock_(node.advertise<rosgraph_msgs::msg::Clock>("/clock", qos::kClock)),
   ranges_(node.advertise<stetro_msgs::msg::RangeArray>("ranges", qos::kSensor)),
@@ -47,6 +48,9 @@ DriverTopics::DriverTopics(stetro_dds::Node & node, const DriverSetup & setup)
   if (setup.params.sim.ground_truth) {
     ground_truth_ = &node.advertise<stetro_msgs::msg::StairPose>("ground_truth", qos::kSensor);
   }
+  if (lidar_) {
+    scan_ = &node.advertise<sensor_msgs::msg::LaserScan>("scan", qos::kSensor);
+  }
   if (setup.params.range_topics) {
     for (const auto name : kRangeNames) {
       range_topics_.push_back(
@@ -57,7 +61,7 @@ DriverTopics::DriverTopics(stetro_dds::Node & node, const DriverSetup & setup)
 
 void DriverTopics::publish_static(Time now)
 {
-  static_transforms_.publish(to_static_transforms(now, body_));
+  static_transforms_.publish(to_static_transforms(now, body_, lidar_));
 }
 
 void DriverTopics::publish(const SensorFrame & frame)
@@ -69,6 +73,9 @@ void DriverTopics::publish(const SensorFrame & frame)
   }
   if (contacts_due(frame)) {
     contacts_.publish(to_contacts(frame));
+  }
+  if (scan_ != nullptr && frame.scan_complete) {
+    scan_->publish(to_scan(*frame.scan));
   }
   if (!frame.ranges_complete) {
     return;
@@ -86,7 +93,8 @@ void DriverTopics::publish(const SensorFrame & frame)
 void DriverTopics::publish(const GroundTruth & truth)
 {
   if (ground_truth_ != nullptr) {
-    ground_truth_->publish(to_ground_truth(truth, flight_, steps_));
+    const stetro_site::Flight * flight = site_.find_flight(truth.segment);
+    ground_truth_->publish(to_ground_truth(truth, flight != nullptr ? flight->steps() : 0));
   }
 }
 

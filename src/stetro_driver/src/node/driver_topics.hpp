@@ -17,7 +17,6 @@
 
 #include <array>
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "node/convert.hpp"
@@ -32,6 +31,7 @@ namespace stetro_driver
  *   /clock, imu/data, odom, ground_truth   each tick, 100 Hz
  *   ranges, blocks, /tf                    with each cycle of the range sensors, 30 Hz
  *   contacts                               on change, and each 100 ms
+ *   scan                                   with each turn of the lidar, if there is one
  *   /tf_static                             once
  */
 class DriverTopics
@@ -47,8 +47,8 @@ private:
   [[nodiscard]] bool contacts_due(const SensorFrame & frame);
 
   const BodyShape body_;
-  const std::string flight_;
-  const int steps_;
+  const stetro_site::Site site_;
+  const bool lidar_;
   const stetro_site::RangeSensor range_sensor_;
   stetro_dds::Publisher<rosgraph_msgs::msg::Clock> & clock_;
   stetro_dds::Publisher<stetro_msgs::msg::RangeArray> & ranges_;
@@ -59,6 +59,7 @@ private:
   stetro_dds::Publisher<tf2_msgs::msg::TFMessage> & transforms_;
   stetro_dds::Publisher<tf2_msgs::msg::TFMessage> & static_transforms_;
   stetro_dds::Publisher<stetro_msgs::msg::StairPose> * ground_truth_ = nullptr;
+  stetro_dds::Publisher<sensor_msgs::msg::LaserScan> * scan_ = nullptr;
   std::vector<stetro_dds::Publisher<sensor_msgs::msg::Range> *> range_topics_;  // none, or all
   std::array<ContactReading, kContactPlaces> last_contacts_{};
   Time contacts_sent_{0};

@@ -32,6 +32,8 @@ constexpr double kLockMargin = 0.01;     // how far a lift reaches below where i
 constexpr double kLongestMove = 0.002;   // longer moves are taken in parts [m]
 constexpr double kShortestLever = 0.01;  // a push with less does not turn the body [m]
 
+const Surroundings kNothingElse{};
+
 }  // namespace
 
 std::string_view to_string(Fall fall)
@@ -54,9 +56,39 @@ std::string_view to_string(Fall fall)
 SimBody::SimBody(
   const BodyShape & shape, const StairWorld & world, double squaring,
   const std::array<double, kBlocks> & lock_error_m)
-: shape_(&shape), world_(&world), squaring_(squaring), lock_error_m_(lock_error_m)
+: shape_(&shape),
+  world_(&world),
+  squaring_(squaring),
+  lock_error_m_(lock_error_m),
+  around_(&kNothingElse)
 {
 }
+
+void SimBody::surround(const StairWorld & world, const Surroundings & around)
+{
+  world_ = &world;
+  around_ = &around;
+}
+
+void SimBody::hand_over(const BodyPose & pose, int step, bool open)
+{
+  pose_ = pose;
+  step_ = step;
+  open_ = open;
+  // Its floor is as high as the flights around it were built: nobody is lifted by the paperwork.
+  underside_m_.fill(world_->height_m(step));
+  datum_m_.fill(world_->height_m(step));
+  standing_.fill(true);
+}
+
+bool SimBody::level() const
+{
+  return standing(1) && standing(2) && standing(3) &&
+         std::abs(underside_m(1) - underside_m(2)) < kLevel &&
+         std::abs(underside_m(3) - underside_m(2)) < kLevel;
+}
+
+bool SimBody::fits() const { return deepest_contact().depth_m <= kTouch; }
 
 void SimBody::place(const BodyPose & pose)
 {
@@ -69,13 +101,16 @@ void SimBody::place(const BodyPose & pose)
     standing_[index(block)] = true;
   }
   const Vector3 centre = to_flight(0.0, 0.0, 0.0);
-  step_ = world_->step_at(centre.x, centre.y);
+  step_ = step_under(centre.x, centre.y);
   const Contact contact = deepest_contact();
   if (contact.depth_m > kTouch) {
+    const bool sideways = std::abs(contact.normal_y) > std::abs(contact.normal_x);
     throw std::invalid_argument(
       "the robot does not fit at x " + std::to_string(pose.x_m) + " m, y " +
       std::to_string(pose.y_m) + " m: " + std::to_string(contact.depth_m) + " m inside a " +
-      (std::abs(contact.normal_y) > std::abs(contact.normal_x) ? "side wall" : "riser"));
+      (!walls().empty() ? "wall or riser"
+       : sideways       ? "side wall"
+                        : "riser"));
   }
 }
 
@@ -83,7 +118,7 @@ void SimBody::carry(const BodyPose & pose)
 {
   const BodyPose before = pose_;
   pose_ = pose;
-  if (deepest_contact().depth_m > kTouch) {
+  if (!fits()) {
     pose_ = before;
   }
 }
@@ -206,7 +241,7 @@ void SimBody::lower(int block, double distance_m)
   standing_[index(block)] = true;
   datum_m_[index(block)] = ground_m;
   if (block == 2) {
-    step_ = world_->step_at(pose_.x_m, pose_.y_m);
+    step_ = step_under(pose_.x_m, pose_.y_m);
   }
 }
 
@@ -233,10 +268,15 @@ Vector3 SimBody::to_flight(double x_m, double y_m, double z_m) const
   return {pose_.x_m + c * x_m - s * y_m, pose_.y_m + s * x_m + c * y_m, z_m};
 }
 
+int SimBody::step_under(double x_m, double y_m) const
+{
+  return open_ ? step_ : world_->step_at(x_m, y_m);
+}
+
 double SimBody::ground_under_centre_m(int block) const
 {
   const Vector3 centre = to_flight(shape_->block_x_m(block), 0.0, 0.0);
-  return world_->terrain_m(centre.x, centre.y);
+  return world_->height_m(step_under(centre.x, centre.y));
 }
 
 double SimBody::ground_under_edges_m(int block) const
@@ -247,7 +287,7 @@ double SimBody::ground_under_edges_m(int block) const
   for (const double along : {-half_length_m, half_length_m}) {
     for (const double across : {-half_width_m, half_width_m}) {
       const Vector3 corner = to_flight(shape_->block_x_m(block) + along, across, 0.0);
-      highest_m = std::max(highest_m, world_->terrain_m(corner.x, corner.y));
+      highest_m = std::max(highest_m, world_->height_m(step_under(corner.x, corner.y)));
     }
   }
   return highest_m;

@@ -18,10 +18,13 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "sim/stair_world.hpp"
+#include "sim/surroundings.hpp"
 #include "stetro_driver/body_shape.hpp"
 
 namespace stetro_driver::sim
@@ -69,6 +72,27 @@ public:
     const BodyShape & shape, const StairWorld & world, double squaring,
     const std::array<double, kBlocks> & lock_error_m);
 
+  /// Takes it to another flight's frame, or to other walls; its pose there comes with place() or
+  /// hand_over().
+  void surround(const StairWorld & world, const Surroundings & around);
+
+  /// The same body in the frame of the flight around it now, level on `step`: 0, or the last.
+  /** \param open beside no flight: the ground is level, stairs are walls like all others */
+  void hand_over(const BodyPose & pose, int step, bool open);
+
+  /// All three blocks stand, equally high.
+  [[nodiscard]] bool level() const;
+
+  /// On a floor and beside no flight.
+  [[nodiscard]] bool open() const { return open_; }
+
+  /// Whether something is in the way where it stands.
+  [[nodiscard]] bool fits() const;
+
+  /// First surface outside the robot that a ray meets. \param direction of unit length
+  [[nodiscard]] std::optional<RayHit> cast(
+    const Vector3 & origin, const Vector3 & direction, double reach_m) const;
+
   /// Puts the robot down, every block on what is under it.
   /** \throws std::invalid_argument when it does not fit there, naming what is in the way */
   void place(const BodyPose & pose);
@@ -108,7 +132,8 @@ public:
   template <class Archive>
   void archive(Archive & each)
   {
-    each(pose_.x_m, pose_.y_m, pose_.yaw_rad, underside_m_, datum_m_, standing_, step_, fall_);
+    each(
+      pose_.x_m, pose_.y_m, pose_.yaw_rad, underside_m_, datum_m_, standing_, step_, fall_, open_);
   }
 
 private:
@@ -126,6 +151,12 @@ private:
   [[nodiscard]] Contact deepest_contact() const;
   void offer_riser(int block, Contact & deepest) const;
   void offer_walls(int block, Contact & deepest) const;
+  void offer_surroundings(Contact & deepest) const;
+  [[nodiscard]] const std::vector<Wall> & walls() const;
+  [[nodiscard]] Wall in_base(const Wall & wall) const;
+  [[nodiscard]] bool reaches(int block, const Wall & wall) const;
+  [[nodiscard]] double side_wall_gap_m(int block, bool left) const;
+  [[nodiscard]] int step_under(double x_m, double y_m) const;
   [[nodiscard]] int riser_ahead(int block) const;
   void turn(double yaw_rad);
   void slide(double x_m, double y_m);
@@ -144,6 +175,8 @@ private:
   std::array<bool, kBlocks> standing_{};
   int step_ = 0;
   Fall fall_ = Fall::kNone;
+  const Surroundings * around_;
+  bool open_ = false;
 };
 
 }  // namespace stetro_driver::sim

@@ -16,6 +16,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <vector>
 
 #include "sim/sim_body.hpp"
 
@@ -26,6 +28,7 @@ namespace
 
 constexpr double kLevel = 1e-6;   // heights nearer than this are the same tread [m]
 constexpr double kNoWall = 10.0;  // a gap without anything at its end [m]
+constexpr double kInset = 1e-4;   // a wall met head on is not beside a bumper's end [m]
 
 }  // namespace
 
@@ -36,7 +39,89 @@ SimBody::Contact SimBody::deepest_contact() const
     offer_riser(block, deepest);
     offer_walls(block, deepest);
   }
+  offer_surroundings(deepest);
   return deepest;
+}
+
+const std::vector<Wall> & SimBody::walls() const
+{
+  if (!open_) {
+    return around_->at_stairs;
+  }
+  return step_ == 0 ? around_->open_below : around_->open_above;
+}
+
+Wall SimBody::in_base(const Wall & wall) const
+{
+  const double c = std::cos(pose_.yaw_rad);
+  const double s = std::sin(pose_.yaw_rad);
+  Wall seen = wall;
+  const double from_x_m = wall.from_x_m - pose_.x_m;
+  const double from_y_m = wall.from_y_m - pose_.y_m;
+  const double to_x_m = wall.to_x_m - pose_.x_m;
+  const double to_y_m = wall.to_y_m - pose_.y_m;
+  seen.from_x_m = c * from_x_m + s * from_y_m;
+  seen.from_y_m = c * from_y_m - s * from_x_m;
+  seen.to_x_m = c * to_x_m + s * to_y_m;
+  seen.to_y_m = c * to_y_m - s * to_x_m;
+  return seen;
+}
+
+bool SimBody::reaches(int block, const Wall & wall) const
+{
+  return underside_m(block) < wall.top_m - kLevel &&
+         underside_m(block) + shape_->block_height_m > wall.bottom_m + kLevel;
+}
+
+// Blocks are in one row: those that a wall is as high as are one rectangle, bumper to bumper.
+void SimBody::offer_surroundings(Contact & deepest) const
+{
+  const double c = std::cos(pose_.yaw_rad);
+  const double s = std::sin(pose_.yaw_rad);
+  for (const Wall & wall : walls()) {
+    int front = 1;
+    int rear = 3;
+    while (front <= 3 && !reaches(front, wall)) {
+      ++front;
+    }
+    while (rear > front && !reaches(rear, wall)) {
+      --rear;
+    }
+    if (front > 3) {
+      continue;
+    }
+    const Rectangle body{
+      shape_->block_x_m(rear) - shape_->block_length_m / 2.0,
+      shape_->block_x_m(front) + shape_->block_length_m / 2.0,
+      shape_->contact_width_m / 2.0 - shape_->bumper_travel_m};
+    const auto out = way_out(body, in_base(wall));
+    if (out && out->depth_m > deepest.depth_m) {
+      deepest = {
+        out->depth_m, c * out->x - s * out->y, s * out->x + c * out->y,
+        c * out->at_x_m - s * out->at_y_m, s * out->at_x_m + c * out->at_y_m};
+    }
+  }
+}
+
+std::optional<RayHit> SimBody::cast(
+  const Vector3 & origin, const Vector3 & direction, double reach_m) const
+{
+  std::optional<RayHit> nearest;
+  if (!open_) {
+    nearest = world_->cast(origin, direction, reach_m);
+  } else if (direction.z < 0.0) {
+    const double down_m = (world_->height_m(step_) - origin.z) / direction.z;
+    if (down_m > 0.0 && down_m < reach_m) {
+      nearest = RayHit{down_m, -direction.z};
+    }
+  }
+  for (const Wall & wall : walls()) {
+    const auto hit = sim::cast(wall, origin, direction);
+    if (hit && hit->distance_m < (nearest ? nearest->distance_m : reach_m)) {
+      nearest = hit;
+    }
+  }
+  return nearest;
 }
 
 int SimBody::riser_ahead(int block) const
@@ -50,6 +135,9 @@ int SimBody::riser_ahead(int block) const
 
 void SimBody::offer_riser(int block, Contact & deepest) const
 {
+  if (open_) {
+    return;
+  }
   const int k = riser_ahead(block);
   if (k > world_->steps()) {
     return;
@@ -63,7 +151,7 @@ void SimBody::offer_riser(int block, Contact & deepest) const
     for (const double side : {-1.0, 1.0}) {
       const Vector3 corner = to_flight(centre_m + along, side * shape_->body_width_m / 2.0, 0.0);
       const double depth_m = (corner.x - world_->riser_x_m(k, corner.y)) * cosine;
-      if (depth_m > deepest.depth_m) {
+      if (depth_m > deepest.depth_m && world_->riser_spans(corner.x, corner.y)) {
         deepest = {
           depth_m, -cosine, cosine * world_->riser_slope(k), corner.x - pose_.x_m,
           corner.y - pose_.y_m};
@@ -74,6 +162,9 @@ void SimBody::offer_riser(int block, Contact & deepest) const
 
 void SimBody::offer_walls(int block, Contact & deepest) const
 {
+  if (open_) {
+    return;
+  }
   const double centre_m = shape_->block_x_m(block);
   const double half_width_m = shape_->contact_width_m / 2.0 - shape_->bumper_travel_m;
   const double slope = world_->left_wall_slope();
@@ -94,6 +185,24 @@ void SimBody::offer_walls(int block, Contact & deepest) const
 double SimBody::bumper_gap_m(int block, bool left) const
 {
   const double half_width_m = shape_->contact_width_m / 2.0;
+  const double rear_m = shape_->block_x_m(block) - shape_->block_length_m / 2.0;
+  double gap_m = open_ ? kNoWall : side_wall_gap_m(block, left);
+  for (const Wall & wall : walls()) {
+    if (!reaches(block, wall)) {
+      continue;
+    }
+    const double beside =
+      beside_m(in_base(wall), rear_m + kInset, rear_m + shape_->block_length_m - kInset, left);
+    if (beside > 0.0) {
+      gap_m = std::min(gap_m, beside - half_width_m);
+    }
+  }
+  return gap_m;
+}
+
+double SimBody::side_wall_gap_m(int block, bool left) const
+{
+  const double half_width_m = shape_->contact_width_m / 2.0;
   const double cosine = 1.0 / std::hypot(1.0, world_->left_wall_slope());
   double gap_m = kNoWall;
   for (const double along : {-shape_->block_length_m / 2.0, shape_->block_length_m / 2.0}) {
@@ -109,7 +218,7 @@ double SimBody::bumper_gap_m(int block, bool left) const
 double SimBody::switch_gap_m(double y_m) const
 {
   const int k = riser_ahead(2);
-  if (k > world_->steps()) {
+  if (open_ || k > world_->steps()) {
     return kNoWall;
   }
   const Vector3 tip = to_flight(shape_->block_length_m / 2.0, y_m, 0.0);

@@ -44,6 +44,8 @@ SimErrors no_errors()
   errors.bumper_max_m = 0.0;
   errors.switch_max_m = 0.0;
   errors.lift_height_max_m = 0.0;
+  errors.lidar_std_m = 0.0;
+  errors.lidar_dropout_share = 0.0;
   return errors;
 }
 

@@ -72,7 +72,7 @@ constexpr std::array<Entry, 14> kEntries{{
   {"old_tread", SimFaultKind::kOldTread, Strikes::kNobody, false, 0, 0, 0,
    "block 2 comes down on the tread it left, and block3_front says otherwise"},
   {"kidnap", SimFaultKind::kKidnap, Strikes::kNobody, true, 0.3, -2, 2,
-   "the robot is carried so many metres to the left"},
+   "the robot is carried so many metres to the left; on a floor anywhere else on it"},
   {"estop", SimFaultKind::kEmergencyStop, Strikes::kNobody, false, 0, 0, 0,
    "the emergency stop is pressed until the end of the fault"},
 }};

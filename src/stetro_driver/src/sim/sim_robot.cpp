@@ -61,8 +61,14 @@ std::optional<IoFault> wheels_refuse(const JointCommand & command, double steeri
 
 }  // namespace
 
+SimRobot::SimRobot(
+  const BuildingShape & building, const BodyShape & body, const SimOptions & options)
+: world_(std::make_unique<World>(building, body, options))
+{
+}
+
 SimRobot::SimRobot(const StairShape & stairs, const BodyShape & body, const SimOptions & options)
-: world_(std::make_unique<World>(stairs, body, options))
+: SimRobot(building_of(stairs), body, options)
 {
 }
 

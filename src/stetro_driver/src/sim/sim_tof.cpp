@@ -116,7 +116,7 @@ Echo SimTof::echo(const SimBody & body) const
   double moment = 0.0;
   for (const Vector3 & ray : rays_) {
     const Vector3 turned{c * ray.x - s * ray.y, s * ray.x + c * ray.y, ray.z};
-    std::optional<RayHit> hit = body.world().cast(origin, turned, kReach);
+    std::optional<RayHit> hit = body.cast(origin, turned, kReach);
     for (int block = 1; block <= 3; ++block) {
       const auto own =
         block == mounting_.block ? std::nullopt : cast_block(body, block, local, ray);

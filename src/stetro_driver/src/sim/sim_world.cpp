@@ -16,11 +16,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "sim/archive.hpp"
-#include "stetro_config/report.hpp"
 
 namespace stetro_driver
 {
@@ -28,82 +26,33 @@ namespace
 {
 
 constexpr double kTickSeconds = 0.01;
-constexpr double kStartDistance = 0.5;  // base_link before the first riser [m]
-constexpr double kStartSpread = 0.05;   // either way [m]
-constexpr double kStartTurn = 0.0873;   // either way, 5 deg [rad]
 constexpr double kOldTreadRoll = 0.15;  // what block 2's roll onto the next tread takes [m]
-
-sim::StairWorld built(const StairShape & stairs, const SimOptions & options)
-{
-  if (options.as_built) {
-    return sim::StairWorld{stairs, options.errors, options.seed};
-  }
-  return sim::StairWorld{stairs};
-}
-
-sim::BodyPose start_of(const StairShape & stairs, const SimOptions & options)
-{
-  if (options.start) {
-    return {options.start->x_m, options.start->y_m, options.start->yaw_rad};
-  }
-  sim::RandomStream random{options.seed, "start"};
-  sim::BodyPose pose;
-  pose.x_m = -kStartDistance + random.uniform(-kStartSpread, kStartSpread);
-  pose.y_m =
-    (stairs.width_foot_m + stairs.width_top_m) / 4.0 + random.uniform(-kStartSpread, kStartSpread);
-  pose.yaw_rad = random.uniform(-kStartTurn, kStartTurn);
-  return pose;
-}
 
 }  // namespace
 
-std::uint64_t identity_of(
-  const StairShape & stairs, const BodyShape & body, const SimOptions & options,
-  std::uint32_t layout)
-{
-  std::vector<std::uint8_t> bytes;
-  sim::StateWriter each{bytes};
-  each(layout);
-  StairShape shape = stairs;
-  for (std::size_t i = 0; i < shape.riser_m.size(); ++i) {
-    each(shape.riser_m[i], shape.tread_m[i]);
-  }
-  SimOptions o = options;
-  BodyShape b = body;
-  each(
-    shape.width_foot_m, shape.width_top_m, shape.right_walled, shape.left_walled,
-    shape.wall_overrun_m, o.seed, o.as_built, o.origin, b.block_length_m, b.body_width_m,
-    b.block_height_m, b.contact_width_m, b.stroke_m, b.lift_speed_m_s, b.steer_speed_rad_s,
-    b.bumper_travel_m, b.switch_travel_m, b.switch_y_m);
-  for (TofMounting & tof : b.tof) {
-    each(tof.block, tof.position_m, tof.direction);
-  }
-  for (const SimFault & fault : o.faults) {
-    SimFault f = fault;
-    each(f.kind, f.from_s, f.until_s, f.value);
-    bytes.insert(bytes.end(), f.device.begin(), f.device.end());
-  }
-  const std::string errors = stetro_config::to_yaml(o.errors);
-  bytes.insert(bytes.end(), errors.begin(), errors.end());
-  return sim::checksum_of(bytes.data(), bytes.size());
-}
-
 SimRobot::World::World(
-  const StairShape & stair_shape, const BodyShape & body_shape, const SimOptions & sim_options)
+  const BuildingShape & building_shape, const BodyShape & body_shape,
+  const SimOptions & sim_options)
 : options(sim_options),
   shape(body_shape),
-  identity(identity_of(stair_shape, body_shape, sim_options)),
-  stairs(built(stair_shape, sim_options)),
+  identity(identity_of(building_shape, body_shape, sim_options)),
+  building(building_shape, options.as_built ? &options.errors : nullptr, options.seed),
+  present(building_shape.start),
   lifts(options.errors, options.seed),
-  body(shape, stairs, options.errors.squaring, lifts.lock_error_m()),
+  body(shape, building.flight(present).world, options.errors.squaring, lifts.lock_error_m()),
   wheels(options.errors, options.seed),
   gyro(options.errors, options.seed),
   contacts(options.errors, options.seed),
   ranges(shape, options.errors, options.seed),
   faults(options.faults),
+  kidnap_random(options.seed, "kidnap"),
   time(options.origin)
 {
-  body.place(start_of(stair_shape, options));
+  put_at_start(building_shape.flights[present].shape);
+  if (options.lidar) {
+    lidar.emplace(shape.lidar, options.errors, options.seed);
+    frame.scan = &lidar->scan();
+  }
   contacts.observe(body, time, faults);
   compose_frame();
 }
@@ -134,6 +83,11 @@ bool SimRobot::World::resume(const std::vector<std::uint8_t> & bytes)
 {
   sim::StateReader reader{bytes};
   archive(reader);
+  if (present >= building.flights().size()) {
+    present = 0;
+    return false;
+  }
+  surround();
   faults.advance(time_to_seconds(time - options.origin));
   compose_frame();
   return reader.exhausted();
@@ -155,6 +109,7 @@ void SimRobot::World::tick()
   const double yaw_before_rad = body.pose().yaw_rad;
   move(actuate());
   const double turned_rad = body.pose().yaw_rad - yaw_before_rad;
+  settle();
   measure(turned_rad / kTickSeconds);
   compose_frame();
   if (snapshot) {
@@ -174,14 +129,6 @@ void SimRobot::World::strike_faults()
     kidnap(carried->value);
   }
   contacts.press_emergency_stop(faults.acting(SimFaultKind::kEmergencyStop) != nullptr, time);
-}
-
-void SimRobot::World::kidnap(double to_the_left_m)
-{
-  sim::BodyPose pose = body.pose();
-  const double room_m = shape.contact_width_m / 2.0 + 0.01;
-  pose.y_m = std::clamp(pose.y_m + to_the_left_m, room_m, stairs.width_m(pose.x_m) - room_m);
-  body.carry(pose);
 }
 
 sim::WheelSpeeds SimRobot::World::actuate()
@@ -252,6 +199,8 @@ void SimRobot::World::measure(double yaw_rate_rad_s)
   contacts.observe(body, time, faults);
   ranges.observe(body, ticks, time, faults);
   gyro.measure(yaw_rate_rad_s, time, faults);
+  frame.scan_complete =
+    lidar && lidar->observe(body, building, present, drawn_floor(), *clutter, ticks, time);
 }
 
 void SimRobot::World::compose_frame()
@@ -267,32 +216,6 @@ void SimRobot::World::compose_frame()
   frame.steering = steering;
   frame.gyro = gyro.reading();
   frame.odometry = wheels.odometry(time);
-}
-
-GroundTruth SimRobot::World::truth() const
-{
-  const sim::BodyPose & pose = body.pose();
-  GroundTruth truth;
-  truth.time = time;
-  truth.step = body.step();
-  truth.x_m = pose.x_m;
-  truth.y_m = pose.y_m;
-  truth.z_m = stairs.height_m(truth.step);
-  truth.yaw_rad = pose.yaw_rad;
-  truth.heading_rad = pose.yaw_rad;
-  truth.tread_x_m = truth.step > 0 ? pose.x_m - stairs.riser_x_m(truth.step, pose.y_m)
-                                   : std::numeric_limits<double>::quiet_NaN();
-  truth.riser_ahead_m = std::numeric_limits<double>::quiet_NaN();
-  if (truth.step < stairs.steps()) {
-    truth.riser_ahead_m = stairs.riser_x_m(truth.step + 1, pose.y_m) - pose.x_m;
-    truth.heading_rad += std::atan(stairs.riser_slope(truth.step + 1));
-  }
-  truth.tread_width_m = stairs.width_m(pose.x_m);
-  for (int block = 1; block <= 3; ++block) {
-    truth.block_heights_m[static_cast<std::size_t>(block - 1)] = body.underside_m(block);
-  }
-  truth.fallen = body.fall() != sim::Fall::kNone;
-  return truth;
 }
 
 std::vector<std::uint8_t> SimRobot::World::state()

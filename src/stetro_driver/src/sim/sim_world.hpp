@@ -19,42 +19,53 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "sim/building.hpp"
+#include "sim/clutter.hpp"
 #include "sim/fault_injector.hpp"
+#include "sim/random_stream.hpp"
 #include "sim/sim_body.hpp"
 #include "sim/sim_contacts.hpp"
 #include "sim/sim_gyro.hpp"
+#include "sim/sim_lidar.hpp"
 #include "sim/sim_lifts.hpp"
 #include "sim/sim_ranges.hpp"
 #include "sim/sim_wheels.hpp"
 #include "sim/snapshot_file.hpp"
-#include "sim/stair_world.hpp"
 #include "stetro_driver/sim_robot.hpp"
 
 namespace stetro_driver
 {
 
 /// Of what World::archive() lists, and in which order. To be raised with every change of either.
-constexpr std::uint32_t kStateLayout = 4;
+constexpr std::uint32_t kStateLayout = 5;
 
 /// A number that differs when anything differs that two worlds must share to share a snapshot.
 [[nodiscard]] std::uint64_t identity_of(
-  const StairShape & stairs, const BodyShape & body, const SimOptions & options,
+  const BuildingShape & building, const BodyShape & body, const SimOptions & options,
   std::uint32_t layout = kStateLayout);
 
-/// Stairs, body, wheels and sensors of one simulated robot, and the tick that moves them all.
+/// Building, body, wheels and sensors of one simulated robot, and the tick that moves them all.
+/**
+ * The body lives in the frame of one flight, the present one. On a floor it is handed over to the
+ * flight at whose stairs it is: one exact change of frame, which no sensor of its own can feel.
+ */
 struct SimRobot::World
 {
-  World(const StairShape & stairs, const BodyShape & body, const SimOptions & options);
+  World(const BuildingShape & building, const BodyShape & body, const SimOptions & options);
 
   /// One tick: faults, actuators, body, sensors. Stores the snapshot last.
   void tick();
 
   void open_snapshot();
   void hold();
+
+  /// The drawn floor that base_link is on; kNoFloor on a flight, and on a floor without drawing.
+  [[nodiscard]] std::size_t drawn_floor() const;
 
   [[nodiscard]] GroundTruth truth() const;
   [[nodiscard]] std::vector<std::uint8_t> state();
@@ -63,7 +74,7 @@ struct SimRobot::World
   template <class Archive>
   void archive(Archive & each)
   {
-    each(ticks, time);
+    each(ticks, time, present);
     body.archive(each);
     wheels.archive(each);
     gyro.archive(each);
@@ -71,13 +82,18 @@ struct SimRobot::World
     ranges.archive(each);
     lifts.archive(each);
     faults.archive(each);
+    kidnap_random.archive(each);
+    if (lidar) {
+      lidar->archive(each);
+    }
     each(steering.angle_rad, steering.target_rad, old_tread_rolled_m, old_tread);
   }
 
   const SimOptions options;
   const BodyShape shape;
   const std::uint64_t identity;  // of the world, for snapshots
-  const sim::StairWorld stairs;
+  const sim::Building building;
+  std::size_t present;  // index of the flight in whose frame the body is
   sim::SimLifts lifts;
   sim::SimBody body;
   sim::SimWheels wheels;
@@ -85,6 +101,9 @@ struct SimRobot::World
   sim::SimContacts contacts;
   sim::SimRanges ranges;
   sim::FaultInjector faults;
+  sim::RandomStream kidnap_random;
+  std::optional<sim::Clutter> clutter{};
+  std::optional<sim::SimLidar> lidar{};
 
   bool configured = false;
   bool active = false;
@@ -109,7 +128,14 @@ private:
   void slip_onto_old_tread(const sim::WheelSpeeds & told);
   void measure(double yaw_rate_rad_s);
   void compose_frame();
+  void put_at_start(const StairShape & stairs);
+  void surround();
+  void settle();
   void kidnap(double to_the_left_m);
+  void kidnap_on_floor(std::size_t floor);
+  [[nodiscard]] std::size_t floor_under() const;
+  [[nodiscard]] stetro_site::Pose pose_in_map() const;
+  void describe_treads(GroundTruth & truth) const;
 
   std::vector<std::uint8_t> stored_{};
 };

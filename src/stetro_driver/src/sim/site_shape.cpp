@@ -14,8 +14,11 @@
 
 #include "stetro_driver/site_shape.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
+#include <utility>
+#include <variant>
 
 #include "stetro_site/sensor_place.hpp"
 
@@ -36,6 +39,72 @@ StairShape shape_of(const stetro_site::Flight & flight)
   shape.left_walled = spec.left == stetro_site::Side::kWalled;
   shape.wall_overrun_m = spec.wall_overrun_m;
   return shape;
+}
+
+namespace
+{
+
+bool is_drawn(const stetro_site::Floor & floor)
+{
+  return !std::holds_alternative<std::monostate>(floor.drawing);
+}
+
+FloorShape shape_of(const stetro_site::Floor & floor)
+{
+  FloorShape shape;
+  shape.id = floor.id;
+  shape.pose_in_map = floor.pose_in_map;
+  shape.drawn = is_drawn(floor);
+  if (const auto * walls = std::get_if<stetro_site::PolygonWalls>(&floor.drawing)) {
+    shape.walls.push_back(walls->outline);
+    shape.walls.insert(shape.walls.end(), walls->obstacles.begin(), walls->obstacles.end());
+  }
+  return shape;
+}
+
+std::size_t index_of(const stetro_site::Site & site, const std::string & floor)
+{
+  const auto found = std::find_if(
+    site.floors().begin(), site.floors().end(),
+    [&](const stetro_site::Floor & one) { return one.id == floor; });
+  return static_cast<std::size_t>(found - site.floors().begin());
+}
+
+}  // namespace
+
+bool has_drawn_floor(const stetro_site::Site & site)
+{
+  return std::any_of(site.floors().begin(), site.floors().end(), is_drawn);
+}
+
+BuildingShape shape_of(const stetro_site::Site & site, const std::string & flight)
+{
+  const stetro_site::Flight & start = site.flight(flight);
+  const bool drawn = has_drawn_floor(site);
+  BuildingShape building;
+  for (const stetro_site::Flight & one : site.flights()) {
+    if (!drawn && &one != &start) {
+      continue;
+    }
+    if (&one == &start) {
+      building.start = building.flights.size();
+    }
+    PlacedStairs placed;
+    placed.id = one.id();
+    placed.shape = shape_of(one);
+    placed.pose_in_map = one.spec().pose_in_map;
+    if (drawn) {
+      placed.lower = index_of(site, one.spec().lower_floor);
+      placed.upper = index_of(site, one.spec().upper_floor);
+    }
+    building.flights.push_back(std::move(placed));
+  }
+  for (const stetro_site::Floor & floor : site.floors()) {
+    if (drawn) {
+      building.floors.push_back(shape_of(floor));
+    }
+  }
+  return building;
 }
 
 BodyShape shape_of(const stetro_site::Robot & robot)
@@ -59,6 +128,16 @@ BodyShape shape_of(const stetro_site::Robot & robot)
       {mounting.x_m, mounting.y_m, mounting.height_m},
       {direction.x(), direction.y(), direction.z()}};
   }
+  const stetro_site::Lidar & lidar = geometry.lidar;
+  shape.lidar = {
+    lidar.x_m,
+    lidar.y_m,
+    lidar.height_m,
+    lidar.yaw_rad,
+    lidar.min_range_m,
+    lidar.max_range_m,
+    static_cast<std::size_t>(lidar.beams),
+    lidar.rate_hz};
   return shape;
 }
 

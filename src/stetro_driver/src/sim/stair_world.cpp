@@ -17,6 +17,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include "sim/random_stream.hpp"
 
@@ -53,9 +54,10 @@ struct StairWorld::Nearest
 
 StairWorld::StairWorld(const StairShape & shape) { build(shape); }
 
-StairWorld::StairWorld(const StairShape & shape, const SimErrors & errors, std::uint64_t seed)
+StairWorld::StairWorld(
+  const StairShape & shape, const SimErrors & errors, std::uint64_t seed, std::string_view name)
 {
-  RandomStream random{seed, "world"};
+  RandomStream random{seed, name};
   StairShape built = shape;
   const auto within = [&](double limit) { return random.normal_within(limit / 2.0, limit); };
   for (double & riser_m : built.riser_m) {
@@ -177,7 +179,8 @@ void StairWorld::cast_risers(const Vector3 & o, const Vector3 & d, Nearest & nea
       return;  // and the risers behind it are farther still
     }
     const double z_m = o.z + distance_m * d.z;
-    if (z_m >= height_m(k - 1) && z_m <= height_m(k)) {
+    const bool spans = riser_spans(o.x + distance_m * d.x, o.y + distance_m * d.y);
+    if (spans && z_m >= height_m(k - 1) && z_m <= height_m(k)) {
       nearest.offer(distance_m, closing / std::hypot(1.0, slope));
     }
   }

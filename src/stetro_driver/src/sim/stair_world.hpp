@@ -17,6 +17,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "stetro_driver/body_shape.hpp"
@@ -46,7 +47,20 @@ public:
   explicit StairWorld(const StairShape & shape);
 
   /// The same stairs as a builder left them, drawn from the seed.
-  StairWorld(const StairShape & shape, const SimErrors & errors, std::uint64_t seed);
+  /** \param name of the stream of random numbers: of several flights each has its own */
+  StairWorld(
+    const StairShape & shape, const SimErrors & errors, std::uint64_t seed,
+    std::string_view name = "world");
+
+  /// Its risers end at its sides, as in a building where floors go on beside them.
+  /** Else they go on for ever: nothing of a robot between the sides can tell. */
+  void end_at_sides() { ends_at_sides_ = true; }
+
+  /// Whether a riser goes as far as this point's y.
+  [[nodiscard]] bool riser_spans(double x_m, double y_m) const
+  {
+    return !ends_at_sides_ || (y_m >= 0.0 && y_m <= width_m(x_m));
+  }
 
   [[nodiscard]] int steps() const { return static_cast<int>(riser_x_m_.size()); }
 
@@ -68,6 +82,9 @@ public:
   /// A side wall stands at x.
   [[nodiscard]] bool right_walled(double x_m) const { return right_walled_ && in_walls(x_m); }
   [[nodiscard]] bool left_walled(double x_m) const { return left_walled_ && in_walls(x_m); }
+
+  /// How far the side walls go on past both ends.
+  [[nodiscard]] double wall_overrun_m() const { return wall_overrun_m_; }
 
   /// The step under a point, 0..N; 0 beyond an open side.
   [[nodiscard]] int step_at(double x_m, double y_m) const;
@@ -98,6 +115,7 @@ private:
   bool right_walled_ = true;
   bool left_walled_ = true;
   double wall_overrun_m_ = 1.0;
+  bool ends_at_sides_ = false;
 };
 
 }  // namespace stetro_driver::sim
