@@ -16,10 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
-#include "stetro_localizer/fused_estimator.hpp"
-#include "stetro_localizer/paper_estimator.hpp"
 #include "stetro_site/standing_place.hpp"
 
 namespace stetro_localizer
@@ -53,20 +50,6 @@ double told_variance(const stetro_site::Covariance & covariance, int i)
   constexpr double kNotGiven = 0.1 * 0.1;
   const double given = covariance(i, i);
   return std::isfinite(given) ? std::max(given, kLeast) : kNotGiven;
-}
-
-std::unique_ptr<Estimator> make_estimator(
-  const LocalizerParams & params, const stetro_site::RobotGeometry & robot,
-  const stetro_site::Flight & flight)
-{
-  if (params.estimator == "paper") {
-    return std::make_unique<PaperEstimator>(params, robot, flight);
-  }
-  if (params.estimator == "fused") {
-    return std::make_unique<FusedEstimator>(params, robot, flight);
-  }
-  throw std::invalid_argument(
-    "estimator: '" + params.estimator + "' refused, accepted: fused, paper");
 }
 
 }  // namespace stetro_localizer

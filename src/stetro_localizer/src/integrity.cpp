@@ -35,7 +35,7 @@ const char * to_string(Integrity integrity)
 
 std::string reason_names(std::uint32_t reasons)
 {
-  constexpr std::array<std::pair<Reason, const char *>, 12> kNames{{
+  constexpr std::array<std::pair<Reason, const char *>, 17> kNames{{
     {kNoSideRange, "no side range"},
     {kNoFrontReference, "no front reference"},
     {kStepUncertain, "step uncertain"},
@@ -45,9 +45,14 @@ std::string reason_names(std::uint32_t reasons)
     {kClosureViolated, "closure violated"},
     {kSensorStuck, "sensor stuck"},
     {kSensorDead, "sensor dead"},
+    {kProfileDisagrees, "profile disagrees"},
     {kProtectionExceeded, "protection level exceeded"},
     {kContactConflict, "contact conflict"},
     {kSlip, "slip"},
+    {kSensorCalibration, "sensor calibration beyond trust"},
+    {kHeadingConflict, "heading conflict"},
+    {kOffTread, "off the tread"},
+    {kContactClosure, "contact closure too large"},
   }};
   std::string text;
   for (const auto & [reason, name] : kNames) {

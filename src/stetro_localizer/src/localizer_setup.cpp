@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <string>
+#include <variant>
 
 #include "stetro_site/fit.hpp"
 
@@ -43,7 +44,7 @@ const stetro_site::Flight * find_flight(
     if (const auto * flight = site.find_flight(id)) {
       return flight;
     }
-  } else if (site.flights().size() == 1) {
+  } else if (site.flights().size() == 1 || has_drawn_floors(site)) {
     return &site.flights().front();
   }
   std::string accepted = "one of";
@@ -54,7 +55,35 @@ const stetro_site::Flight * find_flight(
   return nullptr;
 }
 
+/// Whether the robot can begin on that segment; false adds a fault.
+bool has_segment(
+  const stetro_site::Site & site, const std::string & id, stetro_config::Faults & faults)
+{
+  const stetro_site::Floor * floor = site.find_floor(id);
+  const bool on_floor = floor != nullptr && !std::holds_alternative<std::monostate>(floor->drawing);
+  if (id.empty() || site.find_flight(id) != nullptr || on_floor) {
+    return true;
+  }
+  std::string accepted = "empty, or one of";
+  for (const stetro_site::Flight & flight : site.flights()) {
+    accepted += " " + flight.id();
+  }
+  for (const stetro_site::Floor & one : site.floors()) {
+    accepted += std::holds_alternative<std::monostate>(one.drawing) ? "" : " " + one.id;
+  }
+  add_once({"", 0, "initial_segment", id, accepted}, faults);
+  return false;
+}
+
 }  // namespace
+
+bool has_drawn_floors(const stetro_site::Site & site)
+{
+  return std::any_of(
+    site.floors().begin(), site.floors().end(), [](const stetro_site::Floor & floor) {
+      return !std::holds_alternative<std::monostate>(floor.drawing);
+    });
+}
 
 std::optional<LocalizerSetup> read_setup(
   const LocalizerParams & params, stetro_config::Faults & faults)
@@ -64,8 +93,11 @@ std::optional<LocalizerSetup> read_setup(
   }
   try {
     auto deployment = stetro_site::load_deployment(params.site_file, params.robot_file);
-    const auto * flight = find_flight(deployment.site, params.flight, faults);
-    if (flight == nullptr) {
+    const bool begins = has_drawn_floors(deployment.site) &&
+                        deployment.site.find_flight(params.initial_segment) != nullptr;
+    const auto * flight =
+      find_flight(deployment.site, begins ? params.initial_segment : params.flight, faults);
+    if (flight == nullptr || !has_segment(deployment.site, params.initial_segment, faults)) {
       return std::nullopt;
     }
     if (params.initial_step > flight->steps()) {

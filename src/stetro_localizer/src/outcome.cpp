@@ -90,6 +90,18 @@ const char * to_string(Source source)
       return "bumper_right";
     case Source::kRiserSwitches:
       return "riser_switches";
+    case Source::kStandingGyro:
+      return "gyro_at_rest";
+    case Source::kWheelsAlong:
+      return "wheels_along";
+    case Source::kWheelsAcross:
+      return "wheels_across";
+    case Source::kCorrectionX:
+      return "correction_x";
+    case Source::kCorrectionY:
+      return "correction_y";
+    case Source::kCorrectionHeading:
+      return "correction_heading";
   }
   return "unknown";
 }

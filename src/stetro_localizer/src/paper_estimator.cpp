@@ -47,6 +47,7 @@ PaperEstimator::PaperEstimator(
 : params_(params),
   robot_(robot),
   flight_(flight),
+  segment_(segment_of(flight)),
   watch_(params.silence_s),
   standstill_(params.standstill),
   heading_(params.heading, params.gyro, robot),
@@ -123,6 +124,7 @@ void PaperEstimator::take_step_event(StepEvent event)
   if (event == StepEvent::kClimbed || event == StepEvent::kUndone) {
     closure_ = ContactClosure(width_here_m(), robot_.contact_width_m);
     foot_assumed_ = false;
+    climbed_travel_m_ = travel_x_m_;
   }
   jumps_.undone += event == StepEvent::kUndone ? 1 : 0;
   if (event == StepEvent::kLost) {

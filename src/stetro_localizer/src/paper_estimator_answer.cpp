@@ -135,13 +135,21 @@ ResetCause PaperEstimator::jumped()
   return jumps_.heading != counted.heading ? ResetCause::kHeadingAnew : ResetCause::kNone;
 }
 
-std::array<Bias, 4> PaperEstimator::biases() const
+const std::vector<Source> & PaperEstimator::compared() const
+{
+  static const std::vector<Source> kCompared{Source::kSideLeft,    Source::kSideRight,
+                                             Source::kFrontPair,   Source::kBumperLeft,
+                                             Source::kBumperRight, Source::kRiserSwitches};
+  return kCompared;
+}
+
+std::vector<Bias> PaperEstimator::biases() const
 {
   return {
-    {{"side_left", lateral_.offset(Side::kLeft).offset},
-     {"side_right", lateral_.offset(Side::kRight).offset},
-     {"front_pair", heading_.difference_offset().offset},
-     {"gyro", heading_.gyro_bias()}}};
+    {"side_left", lateral_.offset(Side::kLeft).offset},
+    {"side_right", lateral_.offset(Side::kRight).offset},
+    {"front_pair", heading_.difference_offset().offset},
+    {"gyro", heading_.gyro_bias()}};
 }
 
 }  // namespace stetro_localizer

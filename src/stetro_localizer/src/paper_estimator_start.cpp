@@ -46,7 +46,7 @@ void PaperEstimator::begin(const StateReading & stored)
   estimate_.reset_counter = stored.state.reset_counter;
   note_reset(estimate_, ResetCause::kRestarted, estimate_.pose);
   const auto & step = stored.state.step;
-  if (step && stored.state.flight_id == flight_.id() && steps_.has(step->step)) {
+  if (step && stored.state.segment_id == flight_.id() && steps_.has(step->step)) {
     steps_.restore(*step);
     heading_.assume_aligned(params_.heading.restart_sigma_rad);
   }
@@ -76,7 +76,7 @@ std::optional<std::string> PaperEstimator::tell_pose(
 StoredState PaperEstimator::state_to_store() const
 {
   StoredState state;
-  state.flight_id = flight_.id();
+  state.segment_id = flight_.id();
   state.step = steps_.state_to_store();
   state.calibration = {
     lateral_.offset(Side::kLeft), lateral_.offset(Side::kRight), heading_.difference_offset(),

@@ -37,6 +37,18 @@ void check(const LocalizerParams & params, stetro_config::Faults & faults)
 {
   check_average("lateral.average", params.lateral.average, faults);
   check_average("heading.average", params.heading.average, faults);
+  if (params.fused.window_s > params.max_sample_age_s) {
+    faults.refuse(
+      "fused.window_s", std::to_string(params.fused.window_s),
+      "at most max_sample_age_s, which is " + std::to_string(params.max_sample_age_s) +
+        ": older samples are refused before");
+  }
+  if (params.floor.retreat_yaw_rad <= params.floor.approach_yaw_rad) {
+    faults.refuse(
+      "floor.retreat_yaw_rad", std::to_string(params.floor.retreat_yaw_rad),
+      "more than floor.approach_yaw_rad, which is " +
+        std::to_string(params.floor.approach_yaw_rad));
+  }
 }
 
 }  // namespace stetro_localizer

@@ -34,6 +34,8 @@ const char * to_string(ResetCause cause)
       return "y measured anew, it had contradicted its ranges";
     case ResetCause::kHeadingAnew:
       return "heading measured anew, it had contradicted its ranges";
+    case ResetCause::kCorrected:
+      return "located by two corrections that agree";
   }
   return "unknown";
 }

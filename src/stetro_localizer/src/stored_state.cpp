@@ -120,7 +120,8 @@ bool read_step(const Lines & lines, StoredState & state)
 
 std::string to_text(const StoredState & state)
 {
-  std::string text = "flight_id " + state.flight_id + "\n";
+  // The key is older than floors.
+  std::string text = "flight_id " + state.segment_id + "\n";
   text += "reset_counter " + std::to_string(state.reset_counter) + "\n";
   if (state.step) {
     text += "step.index " + std::to_string(state.step->step) + "\n";
@@ -152,7 +153,7 @@ std::optional<StoredState> parse_stored_state(const std::string & text, std::str
     why = "a line is missing or is not what it should be";
     return std::nullopt;
   }
-  state.flight_id = flight->second;
+  state.segment_id = flight->second;
   return state;
 }
 

@@ -104,5 +104,28 @@ TEST_F(LocalizerSetupTest, ReportsTheFaultsOfAFileOnceForAllWhoReadIt)
   EXPECT_EQ(faults_.size(), count);
 }
 
+TEST_F(LocalizerSetupTest, BeginsOnASegmentOfTheSiteWhoseFloorIsDrawn)
+{
+  const auto replace = [](std::string text, const std::string & from, const std::string & to) {
+    return text.replace(text.find(from), from.size(), to);
+  };
+  const std::string drawn = replace(
+    kSite, "- {id: ground, elevation_m: 0.0}",
+    "- id: ground\n    elevation_m: 0.0\n    walls: {outline: [{x_m: 0, y_m: 0}, {x_m: 9, y_m: 0}, "
+    "{x_m: 9, y_m: 9}]}");
+  std::ofstream{params_.site_file} << drawn;
+  for (const char * id : {"", "ground", "papers"}) {
+    params_.initial_segment = id;
+    const auto setup = read_setup(params_, faults_);
+    ASSERT_TRUE(setup) << id;
+    EXPECT_TRUE(has_drawn_floors(setup->site));
+  }
+  params_.initial_segment = "landing";
+  EXPECT_FALSE(read_setup(params_, faults_)) << "nobody has drawn it";
+  ASSERT_EQ(faults_.size(), 1u);
+  EXPECT_EQ(faults_[0].name, "initial_segment");
+  EXPECT_EQ(faults_[0].accepted, "empty, or one of papers ground");
+}
+
 }  // namespace
 }  // namespace stetro_localizer

@@ -61,6 +61,28 @@ TEST(Params, RefuseWindowsThatCannotFill)
   EXPECT_EQ(faults[0].name, "lateral.average.least_count");
 }
 
+// What is too old for the estimator never reaches the window.
+TEST(Params, RefuseAWindowThatSamplesCannotReach)
+{
+  Loader loader;
+  loader.set("fused.window_s", "0.4", "command line");
+  loader.set("max_sample_age_s", "0.35", "command line");
+  stetro_config::Faults faults;
+  static_cast<void>(loader.finish(faults));
+  ASSERT_EQ(faults.size(), 1u);
+  EXPECT_EQ(faults[0].name, "fused.window_s");
+}
+
+TEST(Params, RefuseARetreatWithoutRoomBeforeTheApproach)
+{
+  Loader loader;
+  loader.set("floor.retreat_yaw_rad", "0.4", "command line");
+  stetro_config::Faults faults;
+  static_cast<void>(loader.finish(faults));
+  ASSERT_EQ(faults.size(), 1u);
+  EXPECT_EQ(faults[0].name, "floor.retreat_yaw_rad");
+}
+
 TEST(Params, DocumentEveryName)
 {
   const std::string table = stetro_config::reference_table<LocalizerParams>();

@@ -21,6 +21,7 @@
 #include <string>
 
 #include "stetro_localizer/estimator.hpp"
+#include "stetro_localizer/segment_estimator.hpp"
 #include "support/stair_robot.hpp"
 
 namespace stetro_localizer

@@ -46,7 +46,7 @@ private:
 StoredState mid_climb()
 {
   StoredState state;
-  state.flight_id = "east";
+  state.segment_id = "east";
   state.step = StepState{7, {{0.14, 0.18, 0.0}, {true, false, true}}, 0.001, 0.1400000001};
   state.calibration.left = {{0.0123456789012345, 1.0 / 3.0}, 0.065};
   state.calibration.right.offset = {-0.02, 2e-6};

@@ -40,13 +40,13 @@ namespace stetro_localizer
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-/// Where the robot is on its flight. Numbers that are not known are NaN.
+/// Where the robot is on its segment, a flight or a floor. Numbers that are not known are NaN.
 struct StairEstimate
 {
   Nanoseconds stamp{0};                ///< time it is for; never runs backwards
-  std::optional<int> step;             ///< tread block 2 stands on, 0 the floor below
+  std::optional<int> step;             ///< tread block 2 stands on, 0 on a floor
   double step_probability = kUnknown;  ///< of `step`, if the method knows one
-  stetro_site::Pose pose{kUnknown, kUnknown, kUnknown, kUnknown};        ///< in the flight frame
+  stetro_site::Pose pose{kUnknown, kUnknown, kUnknown, kUnknown};        ///< in the segment's frame
   stetro_site::Covariance covariance = stetro_site::Covariance::Zero();  ///< of the pose
   /// The same relative to the tread and the riser ahead: what is measured here, without the doubt
   /// of the treads and risers below.
@@ -71,11 +71,11 @@ struct StairEstimate
 /// A constant error that the estimator learns.
 struct Bias
 {
-  const char * name;        ///< of the sensor or source
-  ScalarEstimate estimate;  ///< [m], or [rad/s] for the gyroscope
+  const char * name;        ///< of the sensor or source; a gain's ends in `_gain`
+  ScalarEstimate estimate;  ///< [m]; [rad/s] for the gyroscope; a share for a gain or a scale
 };
 
-/// Estimates the pose on one flight from samples that each carry their time.
+/// Estimates the pose on a segment of the building from samples that each carry their time.
 /**
  * Samples may come in any order between kinds and must be in order within a kind. `now` is the
  * reader's time at which the sample is looked at: stamps are refused against it, silence is counted
@@ -99,14 +99,19 @@ public:
   /// Lets time pass: notices inputs that have stopped, and predicts while there are no ranges.
   virtual void tick(Nanoseconds now) = 0;
 
-  /// Takes a pose in the flight frame that an operator tells.
+  /// Takes a pose in the segment's frame that an operator tells.
   /** \return nothing if it was taken, otherwise why not */
   virtual std::optional<std::string> tell_pose(
     const stetro_site::Pose & pose, const stetro_site::Covariance & covariance) = 0;
 
   [[nodiscard]] virtual const StairEstimate & estimate() const = 0;
   [[nodiscard]] virtual const SourceReports & reports() const = 0;
-  [[nodiscard]] virtual std::array<Bias, 4> biases() const = 0;
+
+  /// The sources that it compares with an expectation of its own; the others only have counts.
+  [[nodiscard]] virtual const std::vector<Source> & compared() const = 0;
+
+  /// Every error that it learns. Allocates.
+  [[nodiscard]] virtual std::vector<Bias> biases() const = 0;
 
   /// The steps as they were found so far, rising; empty from a method that measures none.
   /** It begins anew with the estimator, and when the robot is located anew. Allocates. */
@@ -127,11 +132,6 @@ void note_reset(StairEstimate & estimate, ResetCause cause, const stetro_site::P
 
 /// Variance of row i of a told pose: at least 0.01 squared; 0.1 squared if none was given.
 [[nodiscard]] double told_variance(const stetro_site::Covariance & covariance, int i);
-
-/// The estimator that the parameters name.
-[[nodiscard]] std::unique_ptr<Estimator> make_estimator(
-  const LocalizerParams & params, const stetro_site::RobotGeometry & robot,
-  const stetro_site::Flight & flight);
 
 }  // namespace stetro_localizer
 

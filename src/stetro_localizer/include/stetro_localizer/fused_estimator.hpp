@@ -20,11 +20,14 @@
 #include <string>
 #include <vector>
 
-#include "stetro_localizer/estimator.hpp"
 #include "stetro_localizer/fused/as_built_record.hpp"
+#include "stetro_localizer/fused/closure_watch.hpp"
 #include "stetro_localizer/fused/fused_model.hpp"
 #include "stetro_localizer/fused/history.hpp"
+#include "stetro_localizer/fused/range_watch.hpp"
+#include "stetro_localizer/fused/switch_watch.hpp"
 #include "stetro_localizer/input_watch.hpp"
+#include "stetro_localizer/segment_estimator.hpp"
 
 namespace stetro_localizer
 {
@@ -38,13 +41,14 @@ namespace stetro_localizer
  *
  * Derivation: docs/derivations/fused_estimator.md.
  */
-class FusedEstimator : public Estimator
+class FusedEstimator : public SegmentEstimator
 {
 public:
+  /// \param floors_drawn no wall is missed where it ends: the robot comes from a floor and knows y
   /// \throws std::invalid_argument naming the parameter, its value and what is accepted
   FusedEstimator(
     const LocalizerParams & params, const stetro_site::RobotGeometry & robot,
-    const stetro_site::Flight & flight);
+    const stetro_site::Flight & flight, bool floors_drawn = false);
 
   void begin(const StateReading & stored) override;
   Verdict add_ranges(const RangeSample & sample, Nanoseconds now) override;
@@ -56,9 +60,16 @@ public:
   std::optional<std::string> tell_pose(
     const stetro_site::Pose & pose, const stetro_site::Covariance & covariance) override;
 
+  [[nodiscard]] const Segment & segment() const override { return segment_; }
+  [[nodiscard]] Legacy legacy() const override;
+  [[nodiscard]] std::optional<Crossing> leave() const override;
+  void enter(const Crossing & crossing, const LastSamples & last) override;
+  void enter(const Legacy & legacy) override;
+
   [[nodiscard]] const StairEstimate & estimate() const override { return estimate_; }
   [[nodiscard]] const SourceReports & reports() const override { return reports_; }
-  [[nodiscard]] std::array<Bias, 4> biases() const override;
+  [[nodiscard]] const std::vector<Source> & compared() const override;
+  [[nodiscard]] std::vector<Bias> biases() const override;
   [[nodiscard]] std::vector<StepAsBuilt> staircase_as_built() const override;
   [[nodiscard]] StoredState state_to_store() const override;
   [[nodiscard]] std::uint64_t state_version() const override;
@@ -67,22 +78,32 @@ private:
   [[nodiscard]] Verdict take(Source input, const Sample & sample, Nanoseconds now, Refusal fault);
   [[nodiscard]] Refusal fault_of_stamp(Nanoseconds stamp, Nanoseconds now) const;
   [[nodiscard]] RangeSample new_readings(const RangeSample & sample);
+  void watch_devices(const Sample & sample);
   void refresh(ResetCause cause = ResetCause::kNone);
   [[nodiscard]] ResetCause jumped(std::optional<int> step_before);
   void refresh_position();
+  [[nodiscard]] StateVector slopes_along() const;
   void refresh_covariance();
   void refresh_protection();
   void refresh_integrity();
   [[nodiscard]] bool recent(Ranger ranger) const;  ///< it corrected a moment ago
   [[nodiscard]] std::uint32_t sensor_reasons() const;
+  [[nodiscard]] std::uint32_t conflict_reasons() const;
   [[nodiscard]] std::uint32_t pose_reasons() const;
+  [[nodiscard]] bool off_tread() const;
+  [[nodiscard]] bool wall_missed() const;  ///< none is seen although one should be
 
   LocalizerParams params_;
   stetro_site::Flight flight_;
+  Segment segment_;
+  bool floors_drawn_;  // the flight ends there for the estimator, as its walls do
   FusedModel model_;
   History history_;
   AsBuiltRecord as_built_;
   InputWatch watch_;
+  RangeWatch ranges_;
+  SwitchWatch switches_;
+  ClosureWatch closure_;
   SourceReports reports_;
   StairEstimate estimate_;
   std::array<Nanoseconds, stetro_site::kPlaces.size()> last_reading_{};
@@ -91,6 +112,7 @@ private:
   std::uint32_t begin_reasons_ = 0;  // what the state file left to say
   std::uint32_t jumps_counted_ = 0;  // of the core, in the reset counter
   bool located_once_ = false;        // by itself or told: the next time is another time
+  double front_edge_m_;              // of block 2 from base_link
   double risk_quantile_;  // standard deviations that an error exceeds at the integrity risk
 };
 

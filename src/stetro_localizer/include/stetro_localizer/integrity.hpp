@@ -39,9 +39,14 @@ enum Reason : std::uint32_t {
   kClosureViolated = 1u << 6,      ///< left and right range do not add up to the width
   kSensorStuck = 1u << 7,          ///< a sensor repeats itself
   kSensorDead = 1u << 8,           ///< a sensor has stopped to answer
+  kProfileDisagrees = 1u << 9,     ///< corrections contradict the pose
   kProtectionExceeded = 1u << 10,  ///< the error may be larger than the task allows
   kContactConflict = 1u << 12,     ///< a switch and a range contradict each other
-  kSlip = 1u << 13                 ///< wheels and ranges contradict each other
+  kSlip = 1u << 13,                ///< wheels and ranges contradict each other
+  kSensorCalibration = 1u << 14,   ///< a range sensor's offset or gain is beyond trust: it is dirty
+  kHeadingConflict = 1u << 15,     ///< front pair and gyroscope contradict each other
+  kOffTread = 1u << 16,            ///< x is not on the tread that block 2 stands on
+  kContactClosure = 1u << 17       ///< y missed the walls by more than it was said to be off
 };
 
 /// The integrity that a set of reasons makes.

@@ -29,13 +29,14 @@ namespace stetro_localizer
 /// The localizer in the graph: reads the robot's sensors, publishes where it is and how sure.
 /**
  * Subscribes odom, imu/data, contacts, blocks, ranges, initialpose and pose_correction; publishes
- * pose (frame `map`), stair_pose, innovations, /tf (map -> odom), /tf_static (map -> each flight of
- * the site, once) and /diagnostics. It answers each
- * array of ranges at once; with the ranges silent it publishes a prediction ten times a second. A
- * pose of which a number is unknown is not published as `pose` nor in /tf, only in stair_pose.
+ * pose (frame `map`), stair_pose, innovations, /tf (map -> odom), /tf_static (map -> each flight
+ * and each drawn floor of the site, once) and /diagnostics. It answers each array of ranges at
+ * once; with the ranges silent it publishes a prediction ten times a second. A pose that is LOST,
+ * or of which a number is unknown, is not published as `pose` nor in /tf, only in stair_pose.
  *
  * The step and the calibration are read from the state file at the start and written after the
- * answer whenever they changed.
+ * answer whenever they changed. Where floors are drawn the estimate goes from floor to flight to
+ * floor, see BuildingEstimator.
  *
  * Belongs to its executor's thread.
  */

@@ -31,14 +31,18 @@ struct LocalizerSetup
 {
   LocalizerParams params;
   stetro_site::Site site;
-  stetro_site::Flight flight;  ///< the one that the robot is on
+  stetro_site::Flight flight;  ///< the one that the robot is on, or comes to first
   stetro_site::RobotGeometry robot;
 };
+
+/// Whether somebody has drawn a floor of the site: then floors take part.
+[[nodiscard]] bool has_drawn_floors(const stetro_site::Site & site);
 
 /// Reads the site and robot files that the parameters name. Nothing if a fault was found.
 /**
  * A fault that is among `faults` already is not added again: two nodes of one process may name the
- * same files. The initial step must be one of the flight.
+ * same files. The initial step must be one of the flight, and
+ * the initial segment one of the site.
  */
 [[nodiscard]] std::optional<LocalizerSetup> read_setup(
   const LocalizerParams & params, stetro_config::Faults & faults);

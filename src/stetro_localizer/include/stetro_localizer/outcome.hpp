@@ -79,9 +79,15 @@ enum class Source {
   kBlock3Front,
   kBumperLeft,
   kBumperRight,
-  kRiserSwitches
+  kRiserSwitches,
+  kStandingGyro,  ///< the gyroscope of a robot that stands: its bias
+  kWheelsAlong,
+  kWheelsAcross,
+  kCorrectionX,
+  kCorrectionY,
+  kCorrectionHeading
 };
-constexpr std::size_t kSourceCount = 14;
+constexpr std::size_t kSourceCount = 20;
 
 /// The source's name on the wire and in reports.
 [[nodiscard]] const char * to_string(Source source);

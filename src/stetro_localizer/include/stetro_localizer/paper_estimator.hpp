@@ -18,12 +18,13 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "stetro_localizer/contact_closure.hpp"
-#include "stetro_localizer/estimator.hpp"
 #include "stetro_localizer/heading.hpp"
 #include "stetro_localizer/input_watch.hpp"
 #include "stetro_localizer/lateral.hpp"
+#include "stetro_localizer/segment_estimator.hpp"
 #include "stetro_localizer/stamp_guard.hpp"
 #include "stetro_localizer/standstill.hpp"
 #include "stetro_localizer/step_counter.hpp"
@@ -45,10 +46,13 @@ namespace stetro_localizer
  * 0.075 m further: a constant offset that is stated here and in the covariance, not hidden. The
  * measured x of D1-13 is given beside it and serves to doubt the step.
  *
+ * On the last tread the way since the touch-down tells when the robot is on the floor beyond; x is
+ * then taken from it, so that the pose moves by up to a tread at that hand-over.
+ *
  * Ours, not the papers': offsets learned at the walls, wheels and gyroscope where nothing is seen,
  * covariance, integrity, restart. Derivation: docs/derivations/paper_estimator.md.
  */
-class PaperEstimator : public Estimator
+class PaperEstimator : public SegmentEstimator
 {
 public:
   /// \throws std::invalid_argument naming the parameter, its value and what is accepted
@@ -66,9 +70,16 @@ public:
   std::optional<std::string> tell_pose(
     const stetro_site::Pose & pose, const stetro_site::Covariance & covariance) override;
 
+  [[nodiscard]] const Segment & segment() const override { return segment_; }
+  [[nodiscard]] Legacy legacy() const override;
+  [[nodiscard]] std::optional<Crossing> leave() const override;
+  void enter(const Crossing & crossing, const LastSamples & last) override;
+  void enter(const Legacy & legacy) override;
+
   [[nodiscard]] const StairEstimate & estimate() const override { return estimate_; }
   [[nodiscard]] const SourceReports & reports() const override { return reports_; }
-  [[nodiscard]] std::array<Bias, 4> biases() const override;
+  [[nodiscard]] const std::vector<Source> & compared() const override;
+  [[nodiscard]] std::vector<Bias> biases() const override;
   [[nodiscard]] StoredState state_to_store() const override;
   [[nodiscard]] std::uint64_t state_version() const override;
 
@@ -92,6 +103,7 @@ private:
   LocalizerParams params_;
   stetro_site::RobotGeometry robot_;
   stetro_site::Flight flight_;
+  Segment segment_;
   std::array<StampGuard, kSourceCount> guards_;
   InputWatch watch_;
   Standstill standstill_;
@@ -102,11 +114,12 @@ private:
   SourceReports reports_;
   StairEstimate estimate_;
 
-  RangeReading block2_down_;      // the last one; it counts while it is young
-  double travel_x_m_ = 0.0;       // by the wheels, along the flight
-  double floor_x_m_ = kUnknown;   // x on step 0 when it was last measured
-  double floor_travel_m_ = 0.0;   // travel_x_m_ at that time
-  Nanoseconds outside_since_{0};  // x was first measured off the tread; zero: it is on it
+  RangeReading block2_down_;       // the last one; it counts while it is young
+  double travel_x_m_ = 0.0;        // by the wheels, along the flight
+  double floor_x_m_ = kUnknown;    // x on step 0 when it was last measured
+  double floor_travel_m_ = 0.0;    // travel_x_m_ at that time
+  double climbed_travel_m_ = 0.0;  // travel_x_m_ when block 2 last came down a step higher
+  Nanoseconds outside_since_{0};   // x was first measured off the tread; zero: it is on it
   bool outside_tread_ = false;
   std::optional<int> told_step_;  // where it stands, until the blocks have agreed or not
   bool foot_assumed_ = false;     // step 0 rests on level blocks alone

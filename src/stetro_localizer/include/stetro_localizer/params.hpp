@@ -22,6 +22,7 @@
 #include "stetro_config/field.hpp"
 #include "stetro_config/rule.hpp"
 #include "stetro_localizer/carried_average.hpp"
+#include "stetro_localizer/floor/floor_params.hpp"
 #include "stetro_localizer/fused/fused_params.hpp"
 #include "stetro_localizer/gyro_heading.hpp"
 #include "stetro_localizer/measurement/tof_noise.hpp"
@@ -79,9 +80,11 @@ struct LocalizerParams
   std::string site_file;
   std::string robot_file;
   std::string estimator = "fused";
-  std::string flight;             ///< id of the flight; empty: the only one of the site
+  std::string flight;  ///< id; empty: the only one of the site, or the first if floors are drawn
   std::string state_file;         ///< step and calibration are kept there; empty: nowhere
   std::int64_t initial_step = 0;  ///< without a state file; -1: unknown until told
+  /// Where a robot without a state file is, if the site's floors are drawn; empty: unknown.
+  std::string initial_segment;
   double future_tolerance_s = 0.02;
   double max_sample_age_s = 0.3;
   double silence_s = 0.5;
@@ -92,6 +95,7 @@ struct LocalizerParams
   StandstillParams standstill;
   StepCounterParams steps;
   FusedParams fused;
+  FloorParams floor;
 };
 
 template <class Visitor>
@@ -191,11 +195,17 @@ void visit(LocalizerParams & p, Visitor && each)
   each("site_file", p.site_file, NonEmpty{}, "flights and floors of the building");
   each("robot_file", p.robot_file, NonEmpty{}, "body and sensors");
   each("estimator", p.estimator, OneOf{"fused", "paper"}, "method that estimates the pose");
-  each("flight", p.flight, Any{}, "id of the flight; empty: the only one of the site");
+  each(
+    "flight", p.flight, Any{},
+    "id of the flight; empty: the only one, or the first if floors are drawn");
   each("state_file", p.state_file, Any{}, "keeps step and calibration; empty: nothing is kept");
   each(
     "initial_step", p.initial_step, Within{-1, 200},
     "step of a robot without a state file; 0 asks for level blocks; -1: unknown until told");
+  each(
+    "initial_segment", p.initial_segment, Any{},
+    "id of the floor or flight of a robot without a state file, where floors are drawn; empty: "
+    "unknown until told or corrected");
   each("future_tolerance_s", p.future_tolerance_s, Within{0.0, 1.0}, "stamp ahead of now [s]");
   each("max_sample_age_s", p.max_sample_age_s, Within{0.01, 10.0}, "older samples are refused [s]");
   each("silence_s", p.silence_s, Within{0.1, 60.0}, "input without samples is silent [s]");
@@ -220,6 +230,7 @@ void visit(LocalizerParams & p, Visitor && each)
   each("standstill.settle_s", p.standstill.settle_s, Within{0.0, 10.0}, "both must last [s]");
   visit_steps(p.steps, Group("steps", each));
   visit(p.fused, Group("fused", each));
+  visit(p.floor, Group("floor", each));
 }
 
 /// An empty window of that kind.

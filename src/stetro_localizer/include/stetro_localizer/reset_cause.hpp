@@ -28,7 +28,8 @@ enum class ResetCause : std::uint8_t {
   kLocatedAgain,  ///< the step had been unknown, or was two away: x began anew
   kStepUndone,    ///< a step that had been counted was taken back
   kAcrossAnew,    ///< y had contradicted its ranges for too long, and was measured anew
-  kHeadingAnew    ///< the heading likewise
+  kHeadingAnew,   ///< the heading likewise
+  kCorrected      ///< two corrections agreed with each other
 };
 
 /// In words, for logs and diagnostics.

@@ -26,7 +26,9 @@ namespace stetro_localizer
 /// What makes a sample unfit by its numbers alone; its stamp is another question.
 [[nodiscard]] inline Refusal fault_of(const GyroSample & sample)
 {
-  return std::isfinite(sample.rate_radps) ? Refusal::kNone : Refusal::kNotFinite;
+  const bool finite =
+    std::isfinite(sample.rate_radps) && std::isfinite(sample.pitch_rad.value_or(0.0));
+  return finite ? Refusal::kNone : Refusal::kNotFinite;
 }
 
 [[nodiscard]] inline Refusal fault_of(const OdometrySample & sample)

@@ -18,6 +18,7 @@
 #include <array>
 #include <chrono>
 #include <cstddef>
+#include <optional>
 
 #include "stetro_site/sensor_place.hpp"
 
@@ -110,6 +111,8 @@ struct GyroSample
 {
   Nanoseconds stamp{0};
   double rate_radps = 0.0;
+  /// About +y, nose down positive, of an IMU that knows its attitude [rad]
+  std::optional<double> pitch_rad = std::nullopt;
 };
 
 /// Speed of `base_link` as the wheels tell it, in `base_link`.

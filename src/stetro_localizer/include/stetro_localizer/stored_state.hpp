@@ -49,8 +49,8 @@ struct FusedCalibration
 /// What survives a restart.
 struct StoredState
 {
-  std::string flight_id;          ///< frame of the flight the step belongs to
-  std::optional<StepState> step;  ///< nothing: the step was unknown
+  std::string segment_id;         ///< flight that the step belongs to, or floor; empty: unknown
+  std::optional<StepState> step;  ///< nothing: unknown, or on a floor
   Calibration calibration;
   std::optional<FusedCalibration> fused;  ///< nothing: another estimator wrote this
   std::uint32_t reset_counter = 0;        ///< jumps of the estimate so far

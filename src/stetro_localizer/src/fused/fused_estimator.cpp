@@ -31,13 +31,18 @@ constexpr std::size_t kMostInWindow = 256;  // samples: a quarter second of ever
 
 FusedEstimator::FusedEstimator(
   const LocalizerParams & params, const stetro_site::RobotGeometry & robot,
-  const stetro_site::Flight & flight)
+  const stetro_site::Flight & flight, bool floors_drawn)
 : params_(params),
   flight_(flight),
+  segment_(segment_of(flight)),
+  floors_drawn_(floors_drawn),
   model_(params, robot, flight),
   history_(model_, model_.begin(), nanoseconds(params.fused.window_s), kMostInWindow),
   as_built_(flight.steps()),
   watch_(params.silence_s),
+  ranges_(robot, params.fused.steps.bearing_load),
+  switches_(robot),
+  front_edge_m_(robot.block_x_m(2) + robot.block_length_m / 2.0),
   risk_quantile_(two_sided_quantile(params.fused.integrity_risk))
 {
 }
@@ -64,6 +69,7 @@ Verdict FusedEstimator::take(Source input, const Sample & sample, Nanoseconds no
       case History::Taken::kYes:
         as_built_.follow(history_.settled());
         watch_.note(input, now);
+        watch_devices(sample);
         break;
       case History::Taken::kStale:
         verdict = {Outcome::kStale, Refusal::kNone};
@@ -89,7 +95,9 @@ Verdict FusedEstimator::add_odometry(const OdometrySample & sample, Nanoseconds 
 
 Verdict FusedEstimator::add_contacts(const ContactSample & sample, Nanoseconds now)
 {
-  return take(Source::kContacts, sample, now, Refusal::kNone);
+  const Verdict verdict = take(Source::kContacts, sample, now, Refusal::kNone);
+  refresh_integrity();  // a switch that has died is told at once
+  return verdict;
 }
 
 Verdict FusedEstimator::add_blocks(const BlockSample & sample, Nanoseconds now)
@@ -228,6 +236,23 @@ void FusedEstimator::refresh_position()
   }
 }
 
+// Of -(riser ahead), or of the place behind the tread's own riser where there is none ahead.
+StateVector FusedEstimator::slopes_along() const
+{
+  const FusedCore & core = history_.core();
+  const ErrorStateFilter & filter = core.filter;
+  StateVector slopes = StateVector::Unit(kStateX);
+  if (core.located_on && *core.located_on >= flight_.steps()) {
+    slopes[kStateTreadHere] = 1.0;
+    return slopes;
+  }
+  const double slope = std::tan(filter[kStateRiserAhead]);
+  slopes[kStateY] = -slope;
+  slopes[kStateWidth] = slope / 2.0;
+  slopes[kStateRiserAhead] = -(filter[kStateY] - filter[kStateWidth] / 2.0) * (1.0 + slope * slope);
+  return slopes;
+}
+
 void FusedEstimator::refresh_covariance()
 {
   const FusedCore & core = history_.core();
@@ -243,15 +268,24 @@ void FusedEstimator::refresh_covariance()
       on_tread(row, column) = P(i, j);
     }
   }
-  for (const int axis : {kStateX, kStateY}) {  // of the pose, too
-    const double withheld_m = core.hand_over.withheld_m(static_cast<std::size_t>(axis), core.time);
-    on_tread(axis, axis) += withheld_m * withheld_m;
+  estimate_.covariance = on_tread;
+  const StateVector along = slopes_along();  // what tells the place on the tread, to a state
+  const StateVector of_along = P * along;
+  on_tread(0, 0) = along.dot(of_along);
+  for (const auto & [row, i] : {map[1], map[2]}) {
+    on_tread(row, 0) = on_tread(0, row) = of_along[i];
   }
-  on_tread(2, 2) = kLevel * kLevel;
-  on_tread(3, 3) = on_tread(4, 4) = kTilt * kTilt;
+  for (auto * covariance : {&estimate_.tread_covariance, &estimate_.covariance}) {
+    for (const int axis : {kStateX, kStateY}) {  // of the pose, too
+      const double withheld_m =
+        core.hand_over.withheld_m(static_cast<std::size_t>(axis), core.time);
+      (*covariance)(axis, axis) += withheld_m * withheld_m;
+    }
+    (*covariance)(2, 2) = kLevel * kLevel;
+    (*covariance)(3, 3) = (*covariance)(4, 4) = kTilt * kTilt;
+  }
   // In the flight frame x is edge + x, and every riser below adds its own doubt to z.
   auto & covariance = estimate_.covariance;
-  covariance = on_tread;
   const StateVector & edge = core.filter.edge_covariance();
   for (const auto & [row, i] : map) {
     covariance(row, 0) += edge[i];
@@ -268,16 +302,42 @@ std::vector<StepAsBuilt> FusedEstimator::staircase_as_built() const
   return as_built_.steps(core, model_.as_built_here(core));
 }
 
-std::array<Bias, 4> FusedEstimator::biases() const
+const std::vector<Source> & FusedEstimator::compared() const
 {
-  const ErrorStateFilter & filter = history_.core().filter;
-  const auto bias = [&filter](const char * name, int index) {
-    return Bias{name, {filter[index], filter.variance(index)}};
+  static const std::vector<Source> kCompared{
+    Source::kSideLeft,     Source::kSideRight,   Source::kFrontLeft,   Source::kFrontRight,
+    Source::kBlock3Front,  Source::kBumperLeft,  Source::kBumperRight, Source::kRiserSwitches,
+    Source::kStandingGyro, Source::kWheelsAlong, Source::kWheelsAcross};
+  return kCompared;
+}
+
+std::vector<Bias> FusedEstimator::biases() const
+{
+  struct Named
+  {
+    const char * name;
+    int index;
   };
-  return {
-    bias("side_left", offset_index(Ranger::kSideLeft)),
-    bias("side_right", offset_index(Ranger::kSideRight)),
-    bias("front_left", offset_index(Ranger::kFrontLeft)), bias("gyro", kStateGyroBias)};
+  static constexpr std::array<Named, 12> kLearned{{
+    {"side_left", offset_index(Ranger::kSideLeft)},
+    {"side_left_gain", gain_index(Ranger::kSideLeft)},
+    {"side_right", offset_index(Ranger::kSideRight)},
+    {"side_right_gain", gain_index(Ranger::kSideRight)},
+    {"front_left", offset_index(Ranger::kFrontLeft)},
+    {"front_left_gain", gain_index(Ranger::kFrontLeft)},
+    {"front_right", offset_index(Ranger::kFrontRight)},
+    {"front_right_gain", gain_index(Ranger::kFrontRight)},
+    {"block3_front", offset_index(Ranger::kBlock3Front)},
+    {"block3_front_gain", gain_index(Ranger::kBlock3Front)},
+    {"gyro", kStateGyroBias},
+    {"odometry_scale", kStateOdomScale},
+  }};
+  const ErrorStateFilter & filter = history_.core().filter;
+  std::vector<Bias> biases;
+  for (const Named & one : kLearned) {
+    biases.push_back({one.name, {filter[one.index], filter.variance(one.index)}});
+  }
+  return biases;
 }
 
 }  // namespace stetro_localizer

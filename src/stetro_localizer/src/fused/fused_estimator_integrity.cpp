@@ -85,37 +85,57 @@ std::uint32_t FusedEstimator::sensor_reasons() const
 {
   const FusedCore & core = history_.core();
   const FusedAlerts & alert = params_.fused.alerts;
-  std::uint32_t reasons = flag(silent_, kInputSilent) | flag(model_.gyro_stuck(core), kSensorStuck);
-  for (const RangeMonitor & monitor : core.monitors) {
-    reasons |= flag(monitor.dead(core.time, core.since, alert.dead_s), kSensorDead);
-    reasons |= flag(monitor.stuck() || monitor.blind(), kSensorStuck);
-  }
+  std::uint32_t reasons = flag(silent_, kInputSilent);
+  const bool seen = core.time != Nanoseconds{0};
+  reasons |= flag(seen && ranges_.any_dead(core.time, core.since, alert.dead_s), kSensorDead);
+  reasons |= flag(switches_.any_dead(), kSensorDead);
+  const bool blind = std::any_of(
+    core.monitors.begin(), core.monitors.end(),
+    [](const RangeMonitor & monitor) { return monitor.stuck() || monitor.blind(); });
+  const bool stuck = ranges_.any_stuck() || switches_.any_stuck() || model_.gyro_stuck(core);
+  reasons |= flag(blind || stuck, kSensorStuck);
   for (std::size_t i = 0; i < kRangerCount; ++i) {
     const auto ranger = static_cast<Ranger>(i);
     const bool beyond_trust = std::abs(core.filter[offset_index(ranger)]) > alert.offset_m ||
                               std::abs(core.filter[gain_index(ranger)]) > alert.gain;
-    reasons |= flag(beyond_trust, kCalibrationDamaged);
+    reasons |= flag(beyond_trust, kSensorCalibration);
   }
-  reasons |= flag(core.doubted[kStateX] || core.doubted[kStateYaw], kSlip);
+  return reasons | conflict_reasons();
+}
+
+// Sensors that contradict each other.
+std::uint32_t FusedEstimator::conflict_reasons() const
+{
+  const FusedCore & core = history_.core();
+  const FusedAlerts & alert = params_.fused.alerts;
+  std::uint32_t reasons = flag(core.doubted[kStateX], kSlip);
+  reasons |= flag(core.doubted[kStateYaw], kHeadingConflict);
   reasons |= flag(core.doubted[kStateY], kClosureViolated);
   const auto contradicts = [&](Source source) {
     return core.reports[source].reject_streak >= alert.reject_streak;
   };
   reasons |=
     flag(contradicts(Source::kSideLeft) || contradicts(Source::kSideRight), kClosureViolated);
-  reasons |= flag(
-    contradicts(Source::kFrontLeft) || contradicts(Source::kFrontRight) ||
-      contradicts(Source::kGyro),
-    kSlip);
+  const bool wheels = contradicts(Source::kWheelsAlong) || contradicts(Source::kWheelsAcross);
+  reasons |=
+    flag(wheels || contradicts(Source::kFrontLeft) || contradicts(Source::kFrontRight), kSlip);
+  reasons |= flag(contradicts(Source::kStandingGyro), kHeadingConflict);
   return reasons;
+}
+
+// A robot that comes from a floor knows y before it sees a wall, and after: where no wall is, its
+// protection level decides.
+bool FusedEstimator::wall_missed() const
+{
+  const bool seen = recent(Ranger::kSideLeft) || recent(Ranger::kSideRight);
+  return !seen && (!floors_drawn_ || model_.wall_in_sight(history_.core()));
 }
 
 std::uint32_t FusedEstimator::pose_reasons() const
 {
   const FusedCore & core = history_.core();
   const FusedAlerts & alert = params_.fused.alerts;
-  std::uint32_t reasons =
-    flag(!recent(Ranger::kSideLeft) && !recent(Ranger::kSideRight), kNoSideRange);
+  std::uint32_t reasons = flag(wall_missed(), kNoSideRange);
   reasons |= flag(
     estimate_.protection_along_m > alert.along_m ||
       estimate_.protection_heading_rad > alert.heading_rad,
@@ -126,7 +146,42 @@ std::uint32_t FusedEstimator::pose_reasons() const
   };
   const bool conflict = core.steps.evidence_conflicts() || gated(Source::kBumperLeft) ||
                         gated(Source::kBumperRight) || gated(Source::kRiserSwitches);
+  reasons |= flag(off_tread(), kOffTread);
+  reasons |= flag(closure_.violated(core.closure.error_m()), kContactClosure);
   return reasons | flag(conflict, kContactConflict);
+}
+
+// Block 2 cannot be inside the riser ahead, nor stand on a tread that ends ahead of its middle.
+bool FusedEstimator::off_tread() const
+{
+  const FusedCore & core = history_.core();
+  if (core.steps.block2_aloft()) {
+    return false;
+  }
+  const int step = *core.located_on;
+  const double x_m = core.filter[kStateX];
+  const double doubt_m = params_.fused.alerts.off_tread_m + estimate_.protection_along_m;
+  const bool in_riser = step < flight_.steps() && x_m + front_edge_m_ > doubt_m;
+  const bool behind = step > 0 && x_m + core.filter[kStateTreadHere] < -doubt_m;
+  return in_riser || behind;
+}
+
+// What every device must show, whether the filter uses it or not.
+void FusedEstimator::watch_devices(const Sample & sample)
+{
+  const FusedCore & core = history_.core();
+  if (const auto * blocks = std::get_if<BlockSample>(&sample)) {
+    ranges_.note(*blocks, core.travel_m);
+  } else if (const auto * ranges = std::get_if<RangeSample>(&sample)) {
+    const bool ahead = core.located_on && *core.located_on < flight_.steps();
+    ranges_.note(*ranges, core.travel_m, ahead ? -core.filter[kStateX] : kUnknown);
+  } else if (const auto * contacts = std::get_if<ContactSample>(&sample)) {
+    const double width_m = risk_quantile_ * std::sqrt(core.filter.variance(kStateWidth));
+    closure_.note(*contacts, estimate_.protection_across_m, width_m);
+    switches_.note(*contacts, core, flight_.steps());
+  } else if (const auto * wheels = std::get_if<OdometrySample>(&sample)) {
+    switches_.note(*wheels, core);
+  }
 }
 
 }  // namespace stetro_localizer

@@ -51,7 +51,7 @@ void FusedEstimator::begin(const StateReading & stored)
       estimate_.reset_counter = stored.state.reset_counter;
       note_reset(estimate_, ResetCause::kRestarted, estimate_.pose);
       const auto & step = stored.state.step;
-      if (step && stored.state.flight_id == flight_.id() && core.steps.has(step->step)) {
+      if (step && stored.state.segment_id == flight_.id() && core.steps.has(step->step)) {
         core.steps.restore(*step);
         core.filter.set(kStateYaw, 0.0, squared(params_.heading.restart_sigma_rad));
       }
@@ -83,7 +83,7 @@ StoredState FusedEstimator::state_to_store() const
 {
   const FusedCore & core = history_.core();
   StoredState state;
-  state.flight_id = flight_.id();
+  state.segment_id = flight_.id();
   state.step = core.steps.state_to_store();
   state.calibration.gyro_bias = {core.filter[kStateGyroBias], core.filter.variance(kStateGyroBias)};
   state.fused = core.filter.calibration();

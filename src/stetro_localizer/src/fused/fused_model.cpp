@@ -17,9 +17,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "stetro_localizer/fused/blocked_motion_aiding.hpp"
 #include "stetro_localizer/fused/cone.hpp"
-#include "stetro_localizer/fused/motion_aiding.hpp"
 #include "stetro_localizer/fused/normal_quantile.hpp"
+#include "stetro_localizer/fused/standing_gyro_aiding.hpp"
+#include "stetro_localizer/fused/wheel_aiding.hpp"
 
 namespace stetro_localizer
 {
@@ -30,6 +32,7 @@ constexpr double kWidthJump = 0.02;  // of a side sensor's offset, to be found s
 constexpr double kPairJump = 0.006;  // of a front sensor's, or of the heading by 1.7 deg [m]
 constexpr double kRareAlarm = 1e-7;  // of an innovation of sound sensors: it stops the climb
 constexpr double kLately = 3.0;      // slips in such a time are counted together [s]
+constexpr double kWheelsGap = 0.1;   // wheels that are silent for longer may do anything [s]
 
 double squared(double value) { return value * value; }
 
@@ -61,6 +64,20 @@ FusedModel::FusedModel(
     front_aiding(Ranger::kFrontRight, Place::kFrontRight, robot)},
   block3_front_(front_aiding(Ranger::kBlock3Front, Place::kBlock3Front, robot))
 {
+}
+
+bool FusedModel::fill_in(Sample & kept, const Sample & sample)
+{
+  auto * const into = std::get_if<RangeSample>(&kept);
+  const auto * const from = std::get_if<RangeSample>(&sample);
+  bool any = false;
+  for (std::size_t i = 0; into != nullptr && i < into->readings.size(); ++i) {
+    const bool fills = into->readings[i].status == RangeStatus::kAbsent &&
+                       from->readings[i].status != RangeStatus::kAbsent;
+    into->readings[i] = fills ? from->readings[i] : into->readings[i];
+    any = any || fills;
+  }
+  return any;
 }
 
 FusedCore FusedModel::begin() const
@@ -95,21 +112,28 @@ void FusedModel::advance(FusedCore & core, Nanoseconds time) const
   if (core.time == Nanoseconds{0}) {
     core.time = core.since = time;
   }
-  if (time <= core.time) {
-    return;
+  const Nanoseconds wheels_until = core.wheels_time + nanoseconds(kWheelsGap);
+  if (core.wheels_time != Nanoseconds{0} && core.time < wheels_until && time > wheels_until) {
+    advance(core, wheels_until);  // as they turned; from here on it is not known how they do
   }
-  // A silent gyroscope: the heading may turn unseen.
   ProcessNoise noise = params_.fused.process;
+  const double dt_s = seconds(time - core.time);
   const bool seen = core.gyro_time != Nanoseconds{0} && !gyro_stuck(core) &&
                     seconds(time - core.gyro_time) <= params_.gyro.longest_gap_s;
-  if (!seen) {
-    noise.turn = params_.gyro.gap_rate_radps;
+  if (!seen) {  // the heading may turn unseen, at one rate all the while: (rate * gap)^2 grows so
+    const Nanoseconds told_at = gyro_stuck(core) ? core.gyro_lived_at : core.gyro_time;
+    const double gap_s = seconds(core.time - std::max(told_at, core.since));
+    noise.turn = params_.gyro.gap_rate_radps * std::sqrt(dt_s + 2.0 * std::max(gap_s, 0.0));
   }
   if (time <= core.slipping_until) {
     noise.slip = params_.fused.slipping;
   }
+  if (core.wheels_time != Nanoseconds{0} && core.time >= wheels_until && !core.wheels_silent) {
+    core.wheels_silent = true;
+    core.filter.set(kStateVx, 0.0, squared(params_.fused.noise.unseen_mps));
+    core.filter.set(kStateVy, 0.0, squared(params_.fused.noise.unseen_mps));
+  }
   const double rate_radps = seen ? core.rate_radps : core.filter[kStateGyroBias];
-  const double dt_s = std::min(seconds(time - core.time), params_.silence_s);
   const double x_m = core.filter[kStateX];
   const double still_lately = std::exp(-dt_s / kLately);
   for (double & slipped_m : core.slipped_m) {
@@ -124,6 +148,7 @@ void FusedModel::take_one(FusedCore & core, const OdometrySample & sample) const
 {
   core.standstill.note(sample);
   core.wheels_time = sample.stamp;
+  core.wheels_silent = false;
   core.rolling = std::hypot(sample.vx_mps, sample.vy_mps) > 0.0;
   core.rolled_at = core.rolling ? sample.stamp : core.rolled_at;
   const auto any = [](const std::array<Switch, 3> & bumpers) {
@@ -135,7 +160,6 @@ void FusedModel::take_one(FusedCore & core, const OdometrySample & sample) const
   const bool wall = sample.vy_mps > 0.0 ? any(contacts.left) : any(contacts.right);
   take_speed(core, kStateVx, sample.vx_mps, sample.vx_mps > 0.0 && riser);
   take_speed(core, kStateVy, sample.vy_mps, sample.vy_mps != 0.0 && wall);
-  core.reports[Source::kOdometry].outcome = Outcome::kFused;
 }
 
 // The speed is forgotten from sample to sample, for motors start and stop at once. Against a wall
@@ -148,7 +172,8 @@ void FusedModel::take_speed(FusedCore & core, int index, double counted_mps, boo
   const Expectation expected =
     blocked ? expect_blocked(filter.state(), index) : expect_wheels(filter.state(), index);
   const double variance = squared(blocked ? noise.blocked_mps : noise.wheels_mps);
-  filter.correct(expected, filter.innovation(expected, blocked ? 0.0 : counted_mps, variance));
+  const Source source = index == kStateVx ? Source::kWheelsAlong : Source::kWheelsAcross;
+  use(core, source, expected, blocked ? 0.0 : counted_mps, variance);
 }
 
 // No two readings of a body in motion are the same for long: its noise is more than one digit.
@@ -163,13 +188,14 @@ void FusedModel::take_one(FusedCore & core, const GyroSample & sample) const
     core.gyro_lived_at = sample.stamp;
   }
   core.rate_radps = sample.rate_radps;
+  core.pitch_rad = sample.pitch_rad;
   core.gyro_time = sample.stamp;
   advance(core, sample.stamp);
   if (
     core.standstill.standing() && !core.blocks_moving &&
     std::abs(sample.rate_radps) < params_.gyro.still_limit_radps) {
     use(
-      core, Source::kGyro, expect_standing_gyro(core.filter.state()), sample.rate_radps,
+      core, Source::kStandingGyro, expect_standing_gyro(core.filter.state()), sample.rate_radps,
       squared(params_.fused.noise.gyro_radps));
   }
 }

@@ -168,6 +168,9 @@ StepEvidence FusedModel::step_evidence(const FusedCore & core, Nanoseconds time)
     seconds(time - core.wheels_time) <= params_.max_sample_age_s) {
     evidence.travel_m = core.travel_m;
   }
+  if (seconds(time - core.gyro_time) <= params_.max_sample_age_s) {
+    evidence.pitch_rad = core.pitch_rad;
+  }
   evidence.riser_left = core.contacts.riser_left;
   evidence.riser_right = core.contacts.riser_right;
   return evidence;

@@ -152,6 +152,9 @@ void FusedModel::take_side(FusedCore & core, Side side, const RangeReading & rea
   const Outcome outcome = use(core, source, expected, innovation, side_corrects(core));
   const SourceReport & report = core.reports[source];
   note_slip(core, kStateY, left ? -report.innovation : report.innovation, report, y_variance);
+  if (outcome == Outcome::kGated) {
+    reconsider_side(core, side, report);
+  }
   if (outcome == Outcome::kFused) {
     core.used_at[static_cast<std::size_t>(aiding.ranger())] = core.time;
   }
@@ -322,6 +325,17 @@ bool FusedModel::wall_fills_cone(const FusedCore & core, double range_m) const
   const double reach_m =
     range_m * std::tan(std::abs(core.filter[kStateYaw]) + robot_.range_sensor.cone_rad / 2.0);
   return x_m - reach_m > -overrun_m && x_m + reach_m < flight_.total_run_m() + overrun_m;
+}
+
+bool FusedModel::wall_in_sight(const FusedCore & core) const
+{
+  const auto seen = [&](stetro_site::Side wall, const SideRangeAiding & aiding) {
+    const double range_m = aiding.expect(core.filter.state()).value();
+    return wall == stetro_site::Side::kWalled &&
+           range_m < kSurelySeen * robot_.range_sensor.reliable_range_m &&
+           wall_fills_cone(core, range_m);
+  };
+  return seen(flight_.spec().left, sides_[0]) || seen(flight_.spec().right, sides_[1]);
 }
 
 // Beside a wall the cone of the outer beam takes the wall in and reads short, which looks like a

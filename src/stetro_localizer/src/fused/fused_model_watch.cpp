@@ -67,6 +67,11 @@ void FusedModel::note_slip(
   double variance_before) const
 {
   ErrorStateFilter & filter = core.filter;
+  const double most_of_slip_m =
+    params_.fused.most_slip_m + std::sqrt(gate_ * report.innovation_variance);
+  if (std::abs(innovation_m) > most_of_slip_m) {
+    return;  // something stands in the beam, or the sensor is out
+  }
   const double kept = filter.variance(axis) / variance_before;
   const auto slip = core.slips[axis].add(innovation_m, report.innovation_variance, kept);
   if (!slip) {
@@ -84,7 +89,8 @@ void FusedModel::note_slip(
   } else if (!standing) {
     filter.shift(axis, slip->shift_m, slip->variance_m2);
     core.slipping_until = core.time + kSlipGoesOn;
-    core.unconfirmed_m[axis] += told_by_one(core, axis) ? slip->shift_m : 0.0;
+    const bool unconfirmed = calibrated(core, axis) && told_by_one(core, axis);
+    core.unconfirmed_m[axis] += unconfirmed ? slip->shift_m : 0.0;
   }
 }
 
@@ -159,6 +165,16 @@ void FusedModel::reconsider_front(FusedCore & core, const SourceReport & refused
     turned[kStateYaw] =
       (&refused == &left ? 1.0 : -1.0) * refused.innovation / robot_.front_baseline_m();
     core.filter.inflate(turned, 1.0);
+  }
+}
+
+// A side range that is refused again and again: with nothing else in sight that could tell, the
+// estimate may be what is wrong.
+void FusedModel::reconsider_side(FusedCore & core, Side side, const SourceReport & refused) const
+{
+  const PairedRanger & other = kSidePair[side == Side::kLeft ? 1 : 0];
+  if (refused.reject_streak == params_.fused.alerts.reject_streak && !vouches(core, other)) {
+    doubt(core, kStateY, refused.innovation);
   }
 }
 

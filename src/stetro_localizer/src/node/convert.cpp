@@ -14,6 +14,7 @@
 
 #include "node/convert.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -28,6 +29,17 @@ double yaw_of(const geometry_msgs::msg::Quaternion & q)
 {
   return std::atan2(
     2.0 * (q.w() * q.z() + q.x() * q.y()), 1.0 - 2.0 * (q.y() * q.y() + q.z() * q.z()));
+}
+
+/// Of a body turned by yaw, then by pitch about its own y axis. All zeros, as a message that was
+/// not filled in has them, are no attitude, nor is NaN.
+std::optional<double> pitch_of(const geometry_msgs::msg::Quaternion & q)
+{
+  const double norm = q.x() * q.x() + q.y() * q.y() + q.z() * q.z() + q.w() * q.w();
+  if (!(std::abs(norm - 1.0) < 1e-3)) {
+    return std::nullopt;
+  }
+  return std::asin(std::clamp(2.0 * (q.w() * q.y() - q.z() * q.x()), -1.0, 1.0));
 }
 
 /// A unit quaternion that turns about z only; false for NaN.
@@ -115,6 +127,25 @@ Rejection take_block(const stetro_msgs::msg::BlockState & message, BlockReading 
   return std::nullopt;
 }
 
+Rejection take_pose(
+  const geometry_msgs::msg::PoseWithCovariance & message, stetro_site::Pose & pose,
+  stetro_site::Covariance & covariance)
+{
+  const auto & at = message.pose().position();
+  if (!std::isfinite(at.x() + at.y() + at.z()) || !is_upright(message.pose().orientation())) {
+    return stetro_dds::Refusal{"not_finite", "the position, or an orientation that is not upright"};
+  }
+  for (int i = 0; i < 36; ++i) {
+    const double element = message.covariance()[static_cast<std::size_t>(i)];
+    if (!std::isfinite(element) || (i % 7 == 0 && element < 0.0)) {
+      return stetro_dds::Refusal{"covariance", "an element not finite, or a negative variance"};
+    }
+    covariance(i / 6, i % 6) = element;
+  }
+  pose = {at.x(), at.y(), at.z(), yaw_of(message.pose().orientation())};
+  return std::nullopt;
+}
+
 }  // namespace
 
 Rejection take(
@@ -169,6 +200,9 @@ Rejection take(const sensor_msgs::msg::Imu & message, GyroSample & sample)
   if (!std::isfinite(sample.rate_radps)) {
     return stetro_dds::Refusal{"not_finite", "angular_velocity.z"};
   }
+  if (message.orientation_covariance()[0] != -1.0) {  // that would mean: not measured
+    sample.pitch_rad = pitch_of(message.orientation());
+  }
   return std::nullopt;
 }
 
@@ -189,31 +223,24 @@ Rejection take(
 }
 
 Rejection take(
-  const geometry_msgs::msg::PoseWithCovarianceStamped & message, const stetro_site::Flight & flight,
-  stetro_site::Pose & pose, stetro_site::Covariance & covariance)
+  const geometry_msgs::msg::PoseWithCovarianceStamped & message, stetro_site::Pose & pose,
+  stetro_site::Covariance & covariance)
+{
+  return take_pose(message.pose(), pose, covariance);
+}
+
+Rejection take(const stetro_msgs::msg::PoseCorrection & message, PoseCorrection & correction)
 {
   const std::string frame = message.header().frame_id().c_str();
-  if (frame != "map" && frame != flight.id()) {
-    return stetro_dds::Refusal{"frame", "'" + frame + "', accepted: map, " + flight.id()};
+  const std::string segment = message.segment_id().c_str();
+  if (frame.empty() || frame != segment) {
+    return stetro_dds::Refusal{
+      "frame", "'" + frame + "' of segment '" + segment + "', accepted: a floor's own frame"};
   }
-  const auto & from = message.pose().pose();
-  const auto & at = from.position();
-  if (!std::isfinite(at.x() + at.y() + at.z()) || !is_upright(from.orientation())) {
-    return stetro_dds::Refusal{"not_finite", "the position, or an orientation that is not upright"};
-  }
-  for (int i = 0; i < 36; ++i) {
-    const double element = message.pose().covariance()[static_cast<std::size_t>(i)];
-    if (!std::isfinite(element) || (i % 7 == 0 && element < 0.0)) {
-      return stetro_dds::Refusal{"covariance", "an element not finite, or a negative variance"};
-    }
-    covariance(i / 6, i % 6) = element;
-  }
-  pose = {at.x(), at.y(), at.z(), yaw_of(from.orientation())};
-  if (frame == "map") {
-    pose = flight.T_map_flight().to_frame(pose);
-    covariance = flight.T_map_flight().to_frame(covariance);
-  }
-  return std::nullopt;
+  correction.stamp = time_of(message.header().stamp());
+  correction.floor_id = segment;
+  correction.reset_counter = message.reset_counter();
+  return take_pose(message.pose(), correction.pose, correction.covariance);
 }
 
 Rejection refusal_of(Verdict verdict)

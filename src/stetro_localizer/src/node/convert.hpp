@@ -22,17 +22,19 @@
 #include "stetro_dds/refusal.hpp"
 #include "stetro_dds/stamp.hpp"
 #include "stetro_localizer/estimator.hpp"
+#include "stetro_localizer/pose_correction.hpp"
 #include "stetro_localizer/samples.hpp"
+#include "stetro_localizer/segment.hpp"
 #include "stetro_msgs/BlockStates.hpp"
 #include "stetro_msgs/Contacts.hpp"
 #include "stetro_msgs/Imu.hpp"
 #include "stetro_msgs/Innovations.hpp"
 #include "stetro_msgs/Odometry.hpp"
+#include "stetro_msgs/PoseCorrection.hpp"
 #include "stetro_msgs/PoseWithCovarianceStamped.hpp"
 #include "stetro_msgs/RangeArray.hpp"
 #include "stetro_msgs/StairPose.hpp"
 #include "stetro_msgs/TFMessage.hpp"
-#include "stetro_site/flight.hpp"
 #include "stetro_site/site.hpp"
 
 /// \file
@@ -66,10 +68,14 @@ using stetro_dds::time_of;
 [[nodiscard]] std::optional<stetro_dds::Refusal> take(
   const nav_msgs::msg::Odometry & message, OdometrySample & sample, stetro_site::Pose & odom);
 
-/// A pose and its covariance in the flight frame, from one in `map` or in the flight frame.
+/// A pose and its covariance, in the frame that the header names.
 [[nodiscard]] std::optional<stetro_dds::Refusal> take(
-  const geometry_msgs::msg::PoseWithCovarianceStamped & message, const stetro_site::Flight & flight,
-  stetro_site::Pose & pose, stetro_site::Covariance & covariance);
+  const geometry_msgs::msg::PoseWithCovarianceStamped & message, stetro_site::Pose & pose,
+  stetro_site::Covariance & covariance);
+
+/// The frame of a correction is the floor that it is of; any other is refused.
+[[nodiscard]] std::optional<stetro_dds::Refusal> take(
+  const stetro_msgs::msg::PoseCorrection & message, PoseCorrection & correction);
 
 /// What the estimator refused, for the counters of the topic; nothing if it was taken.
 [[nodiscard]] std::optional<stetro_dds::Refusal> refusal_of(Verdict verdict);
@@ -82,18 +88,20 @@ using stetro_dds::time_of;
 ///@{
 void fill(
   geometry_msgs::msg::PoseWithCovarianceStamped & message, const StairEstimate & estimate,
-  const stetro_site::Flight & flight);
+  const Segment & segment);
 void fill(
-  stetro_msgs::msg::StairPose & message, const StairEstimate & estimate,
-  const stetro_site::Flight & flight);
-void fill(stetro_msgs::msg::Innovations & message, const Estimator & estimator);
+  stetro_msgs::msg::StairPose & message, const StairEstimate & estimate, const Segment & segment);
+/// What is compared with an expectation there: ranges and contacts on a flight, else corrections.
+void fill(
+  stetro_msgs::msg::Innovations & message, const Estimator & estimator, const Segment & segment);
 /// map -> odom, such that map -> odom -> base_link is the estimate.
 void fill(
-  tf2_msgs::msg::TFMessage & message, const StairEstimate & estimate,
-  const stetro_site::Flight & flight, const stetro_site::Pose & odom);
+  tf2_msgs::msg::TFMessage & message, const StairEstimate & estimate, const Segment & segment,
+  const stetro_site::Pose & odom);
 ///@}
 
-/// map -> the frame of every flight of the site, in one message: /tf_static keeps only the last.
+/// map -> the frame of every flight and drawn floor of the site.
+/** In one message: /tf_static keeps only the last. */
 [[nodiscard]] tf2_msgs::msg::TFMessage to_static_transforms(
   Nanoseconds now, const stetro_site::Site & site);
 

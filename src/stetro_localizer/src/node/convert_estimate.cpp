@@ -13,6 +13,7 @@
 // limitations under the License.
 
 #include <cmath>
+#include <variant>
 
 #include "node/convert.hpp"
 
@@ -30,7 +31,16 @@ static_assert(kNotInitialised == wire::REASON_NOT_INITIALISED);
 static_assert(kInputSilent == wire::REASON_INPUT_SILENT);
 static_assert(kCalibrationDamaged == wire::REASON_CALIBRATION_DAMAGED);
 static_assert(kClosureViolated == wire::REASON_CLOSURE_VIOLATED);
+static_assert(kSensorStuck == wire::REASON_SENSOR_STUCK);
+static_assert(kSensorDead == wire::REASON_SENSOR_DEAD);
+static_assert(kProfileDisagrees == wire::REASON_PROFILE_DISAGREES);
+static_assert(kProtectionExceeded == wire::REASON_PROTECTION_EXCEEDED);
 static_assert(kContactConflict == wire::REASON_CONTACT_CONFLICT);
+static_assert(kSlip == wire::REASON_SLIP);
+static_assert(kSensorCalibration == wire::REASON_SENSOR_CALIBRATION);
+static_assert(kHeadingConflict == wire::REASON_HEADING_CONFLICT);
+static_assert(kOffTread == wire::REASON_OFF_TREAD);
+static_assert(kContactClosure == wire::REASON_CONTACT_CLOSURE);
 
 std::uint8_t integrity_of(Integrity integrity)
 {
@@ -43,6 +53,19 @@ std::uint8_t integrity_of(Integrity integrity)
       return wire::INTEGRITY_LOST;
   }
   return wire::INTEGRITY_UNKNOWN;
+}
+
+std::uint8_t kind_of(SegmentKind kind)
+{
+  switch (kind) {
+    case SegmentKind::kNowhere:
+      return wire::SEGMENT_UNKNOWN;
+    case SegmentKind::kFloor:
+      return wire::SEGMENT_FLOOR;
+    case SegmentKind::kFlight:
+      return wire::SEGMENT_FLIGHT;
+  }
+  return wire::SEGMENT_UNKNOWN;
 }
 
 std::uint8_t outcome_of(Outcome outcome)
@@ -93,10 +116,19 @@ void fill_header(std_msgs::msg::Header & header, Nanoseconds stamp, const std::s
   header.frame_id(frame);
 }
 
-// What compares a measurement with an expectation; the others only have counts.
-constexpr std::array<Source, 6> kCompared{Source::kSideLeft,    Source::kSideRight,
-                                          Source::kFrontPair,   Source::kBumperLeft,
-                                          Source::kBumperRight, Source::kRiserSwitches};
+void add_transform(
+  tf2_msgs::msg::TFMessage & message, Nanoseconds now, const std::string & child,
+  const stetro_site::Pose & pose)
+{
+  geometry_msgs::msg::TransformStamped transform;
+  fill_header(transform.header(), now, "map");
+  transform.child_frame_id(child);
+  transform.transform().translation().x(pose.x_m);
+  transform.transform().translation().y(pose.y_m);
+  transform.transform().translation().z(pose.z_m);
+  transform.transform().rotation(turned(pose.yaw_rad));
+  message.transforms().push_back(transform);
+}
 
 }  // namespace
 
@@ -107,23 +139,22 @@ bool is_known(const stetro_site::Pose & pose)
 
 void fill(
   geometry_msgs::msg::PoseWithCovarianceStamped & message, const StairEstimate & estimate,
-  const stetro_site::Flight & flight)
+  const Segment & segment)
 {
   fill_header(message.header(), estimate.stamp, "map");
   fill_pose(
-    message.pose(), flight.T_map_flight().to_map(estimate.pose),
-    flight.T_map_flight().to_map(estimate.covariance));
+    message.pose(), segment.T_map_segment.to_map(estimate.pose),
+    segment.T_map_segment.to_map(estimate.covariance));
 }
 
 void fill(
-  stetro_msgs::msg::StairPose & message, const StairEstimate & estimate,
-  const stetro_site::Flight & flight)
+  stetro_msgs::msg::StairPose & message, const StairEstimate & estimate, const Segment & segment)
 {
-  fill_header(message.header(), estimate.stamp, flight.id());
-  message.segment_id(flight.id());
-  message.segment_kind(wire::SEGMENT_FLIGHT);
+  fill_header(message.header(), estimate.stamp, segment.frame_id());
+  message.segment_id(segment.id);
+  message.segment_kind(kind_of(segment.kind));
   message.step_index(estimate.step.value_or(wire::STEP_UNKNOWN));
-  message.step_count(flight.steps());
+  message.step_count(segment.steps);
   message.step_probability(estimate.step_probability);
   fill_pose(message.pose(), estimate.pose, estimate.covariance);
   message.tread_x(estimate.tread_x_m);
@@ -142,14 +173,16 @@ void fill(
   message.reset_delta_heading(estimate.reset_delta.yaw_rad);
 }
 
-void fill(stetro_msgs::msg::Innovations & message, const Estimator & estimator)
+void fill(
+  stetro_msgs::msg::Innovations & message, const Estimator & estimator, const Segment & segment)
 {
-  message.header().stamp(stamp_of(estimator.estimate().stamp));
-  message.innovations().resize(kCompared.size());
-  for (std::size_t i = 0; i < kCompared.size(); ++i) {
-    const SourceReport & report = estimator.reports()[kCompared[i]];
+  fill_header(message.header(), estimator.estimate().stamp, segment.frame_id());
+  const std::vector<Source> & compared = estimator.compared();
+  message.innovations().resize(compared.size());
+  for (std::size_t i = 0; i < compared.size(); ++i) {
+    const SourceReport & report = estimator.reports()[compared[i]];
     auto & to = message.innovations()[i];
-    to.source(std::string(to_string(kCompared[i])));
+    to.source(std::string(to_string(compared[i])));
     to.innovation(report.innovation);
     to.innovation_variance(report.innovation_variance);
     to.test_ratio(report.test_ratio);
@@ -167,10 +200,10 @@ void fill(stetro_msgs::msg::Innovations & message, const Estimator & estimator)
 }
 
 void fill(
-  tf2_msgs::msg::TFMessage & message, const StairEstimate & estimate,
-  const stetro_site::Flight & flight, const stetro_site::Pose & odom)
+  tf2_msgs::msg::TFMessage & message, const StairEstimate & estimate, const Segment & segment,
+  const stetro_site::Pose & odom)
 {
-  const stetro_site::Pose base = flight.T_map_flight().to_map(estimate.pose);
+  const stetro_site::Pose base = segment.T_map_segment.to_map(estimate.pose);
   const double yaw_rad = base.yaw_rad - odom.yaw_rad;
   message.transforms().resize(1);
   auto & transform = message.transforms().front();
@@ -187,15 +220,12 @@ tf2_msgs::msg::TFMessage to_static_transforms(Nanoseconds now, const stetro_site
 {
   tf2_msgs::msg::TFMessage message;
   for (const stetro_site::Flight & flight : site.flights()) {
-    const stetro_site::Pose & pose = flight.spec().pose_in_map;
-    geometry_msgs::msg::TransformStamped transform;
-    fill_header(transform.header(), now, "map");
-    transform.child_frame_id(flight.id());
-    transform.transform().translation().x(pose.x_m);
-    transform.transform().translation().y(pose.y_m);
-    transform.transform().translation().z(pose.z_m);
-    transform.transform().rotation(turned(pose.yaw_rad));
-    message.transforms().push_back(transform);
+    add_transform(message, now, flight.id(), flight.spec().pose_in_map);
+  }
+  for (const stetro_site::Floor & floor : site.floors()) {
+    if (!std::holds_alternative<std::monostate>(floor.drawing)) {
+      add_transform(message, now, floor.id, floor.pose_in_map);
+    }
   }
   return message;
 }

@@ -30,6 +30,7 @@ void LocalizerNode::Parts::add_diagnostics()
   auto & diagnostics = node_.diagnostics();
   diagnostics.add("estimate", [this](DiagnosticReport & report) { report_estimate(report); });
   diagnostics.add("inputs", [this](DiagnosticReport & report) { report_inputs(report); });
+  diagnostics.add("corrections", [this](DiagnosticReport & report) { report_corrections(report); });
   diagnostics.add("calibration", [this](DiagnosticReport & report) { report_calibration(report); });
   diagnostics.add(
     "staircase as built", [this](DiagnosticReport & report) { report_staircase(report); });
@@ -44,6 +45,7 @@ void LocalizerNode::Parts::report_estimate(DiagnosticReport & report) const
   } else if (estimate.integrity == Integrity::kDegraded) {
     report.summarise(Health::kWarn, "DEGRADED: " + why);
   }
+  report.value("segment", estimator_->segment().id);
   report.value("step", static_cast<std::int64_t>(estimate.step.value_or(-1)));
   report.value("y [m]", estimate.pose.y_m);
   report.value("y sigma [m]", std::sqrt(estimate.covariance(1, 1)));
@@ -64,7 +66,21 @@ void LocalizerNode::Parts::report_estimate(DiagnosticReport & report) const
 
 void LocalizerNode::Parts::report_staircase(DiagnosticReport & report) const
 {
-  tell(report, estimator_->staircase_as_built(), flight_, params_.fused.alerts.as_built_m);
+  tell(
+    report, estimator_->staircase_as_built(), estimator_->flight(),
+    params_.fused.alerts.as_built_m);
+}
+
+void LocalizerNode::Parts::report_corrections(DiagnosticReport & report) const
+{
+  for (std::size_t i = 1; i < kCorrectionOutcomes; ++i) {
+    const std::uint64_t count = estimator_->corrections()[i];
+    if (count > 0) {
+      report.value(to_string(static_cast<CorrectionOutcome>(i)), count);
+    }
+  }
+  report.value("bad message", unfit_corrections_);
+  report.value("hand-overs", estimator_->crossings());
 }
 
 void LocalizerNode::Parts::report_inputs(DiagnosticReport & report)
@@ -84,9 +100,7 @@ void LocalizerNode::Parts::report_inputs(DiagnosticReport & report)
     }
   }
   counted_at_ = now;
-  for (const Source source :
-       {Source::kSideLeft, Source::kSideRight, Source::kFrontPair, Source::kBumperLeft,
-        Source::kBumperRight, Source::kRiserSwitches}) {
+  for (const Source source : estimator_->compared()) {
     report.value(std::string(to_string(source)) + " gated", estimator_->reports()[source].gated);
   }
   if (estimator_->estimate().reasons & kInputSilent) {

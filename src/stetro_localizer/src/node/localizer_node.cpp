@@ -47,9 +47,8 @@ LocalizerNode::Parts::Parts(
   stetro_dds::Context & context, const stetro_dds::NodeOptions & options,
   const LocalizerSetup & setup)
 : params_(setup.params),
-  flight_(setup.flight),
   node_(context, options),
-  estimator_(make_estimator(params_, setup.robot, flight_)),
+  estimator_(std::make_unique<BuildingEstimator>(setup)),
   state_file_(params_.state_file),
   told_poses_(nanoseconds(params_.future_tolerance_s)),
   pose_(node_.advertise<geometry_msgs::msg::PoseWithCovarianceStamped>("pose", qos::kPose)),
@@ -150,10 +149,8 @@ void LocalizerNode::Parts::open_corrections()
       return take_told_pose(message);
     });
   node_.subscribe<stetro_msgs::msg::PoseCorrection>(
-    "pose_correction", qos::kCorrection, [](const stetro_msgs::msg::PoseCorrection &) -> Rejection {
-      return stetro_dds::Refusal{
-        "not_on_a_floor", "corrections are for floors; this estimator knows flights of stairs"};
-    });
+    "pose_correction", qos::kCorrection,
+    [this](const stetro_msgs::msg::PoseCorrection & message) { return take_correction(message); });
 }
 
 void LocalizerNode::Parts::tick(Nanoseconds now)
@@ -188,26 +185,34 @@ void LocalizerNode::Parts::publish()
   }
   if (stalled_checks_ >= kStalledChecks) {
     estimate.reasons |= kInputSilent;
-    estimate.integrity = integrity_of(estimate.reasons, estimate.step.has_value());
+    const bool known = estimate.step && estimate.integrity != Integrity::kLost;
+    estimate.integrity = integrity_of(estimate.reasons, known);
   }
-  if (is_known(estimate.pose)) {
-    fill(pose_message_, estimate, flight_);
+  const Segment & segment = estimator_->segment();
+  // What is LOST on a floor has numbers still, for whoever looks for the robot: not as `pose`.
+  const bool known = is_known(estimate.pose) && estimate.integrity != Integrity::kLost;
+  if (known) {
+    fill(pose_message_, estimate, segment);
     pose_.publish(pose_message_);
   }
-  fill(stair_pose_message_, estimate, flight_);
+  fill(stair_pose_message_, estimate, segment);
   stair_pose_.publish(stair_pose_message_);
-  if (is_known(estimate.pose) && odom_) {
-    fill(tf_message_, estimate, flight_, *odom_);
+  if (known && odom_) {
+    fill(tf_message_, estimate, segment, *odom_);
     tf_.publish(tf_message_);
   }
-  innovations_message_.header().frame_id(flight_.id());
-  fill(innovations_message_, *estimator_);
+  fill(innovations_message_, *estimator_, segment);
   innovations_.publish(innovations_message_);
   tell_changes(estimate);
 }
 
 void LocalizerNode::Parts::tell_changes(const StairEstimate & estimate)
 {
+  const Segment & segment = estimator_->segment();
+  if (segment.id != told_segment_) {
+    node_.log().info("on {}", segment.id.empty() ? "no segment that is known" : segment.id);
+    told_segment_ = segment.id;
+  }
   if (estimate.integrity != told_integrity_ || estimate.step != told_step_) {
     const bool sound = estimate.integrity == Integrity::kOk;
     node_.log().log(

@@ -24,6 +24,7 @@
 
 #include "node/convert.hpp"
 #include "stetro_dds/node.hpp"
+#include "stetro_localizer/building_estimator.hpp"
 #include "stetro_localizer/localizer_node.hpp"
 #include "stetro_localizer/stamp_guard.hpp"
 #include "stetro_localizer/state_file.hpp"
@@ -65,6 +66,8 @@ private:
     const geometry_msgs::msg::PoseWithCovarianceStamped & message);
   std::optional<stetro_dds::Refusal> judge_told_pose(
     const geometry_msgs::msg::PoseWithCovarianceStamped & message);
+  std::optional<stetro_dds::Refusal> take_correction(
+    const stetro_msgs::msg::PoseCorrection & message);
   void tick(Nanoseconds now);
   void watch_clock();
   void publish();
@@ -74,13 +77,13 @@ private:
   void write(const StoredState & state);
   void report_estimate(stetro_dds::DiagnosticReport & report) const;
   void report_inputs(stetro_dds::DiagnosticReport & report);
+  void report_corrections(stetro_dds::DiagnosticReport & report) const;
   void report_calibration(stetro_dds::DiagnosticReport & report) const;
   void report_staircase(stetro_dds::DiagnosticReport & report) const;
 
   const LocalizerParams params_;
-  const stetro_site::Flight flight_;
   stetro_dds::Node node_;
-  std::unique_ptr<Estimator> estimator_;
+  std::unique_ptr<BuildingEstimator> estimator_;
   StateFile state_file_;
   std::string state_trouble_;  // empty: the state file is well
   std::uint64_t stored_version_ = 0;
@@ -89,10 +92,13 @@ private:
   Nanoseconds last_checked_{0};
   std::optional<Integrity> told_integrity_;
   std::optional<int> told_step_;
+  std::string told_segment_;
   std::uint32_t told_resets_ = 0;  // the last one in the log
   ToldPoses told_poses_;
-  std::array<std::uint64_t, kSourceCount> counted_{};  // samples at the last report
-  Nanoseconds counted_at_{0};                          // on the steady clock
+  CorrectionOutcome told_correction_ = CorrectionOutcome::kNone;  // the last one in the log
+  std::uint64_t unfit_corrections_ = 0;                           // that no estimator has seen
+  std::array<std::uint64_t, kSourceCount> counted_{};             // samples at the last report
+  Nanoseconds counted_at_{0};                                     // on the steady clock
 
   stetro_dds::Publisher<geometry_msgs::msg::PoseWithCovarianceStamped> & pose_;
   stetro_dds::Publisher<stetro_msgs::msg::StairPose> & stair_pose_;

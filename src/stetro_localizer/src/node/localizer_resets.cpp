@@ -12,7 +12,7 @@
 // See the License for the specific language governing permissions and
 // limitations under the License.
 
-// Jumps of the estimate: those that a person tells on `initialpose`, and what is said of each.
+// Poses that a person tells, corrections, and what is said of each jump of the estimate.
 
 #include <cmath>
 #include <cstdio>
@@ -84,14 +84,39 @@ Rejection LocalizerNode::Parts::judge_told_pose(
   }
   stetro_site::Pose pose;
   stetro_site::Covariance covariance;
-  if (auto rejection = take(message, flight_, pose, covariance)) {
+  if (auto rejection = take(message, pose, covariance)) {
     return rejection;
   }
-  if (const auto why = estimator_->tell_pose(pose, covariance)) {
-    return stetro_dds::Refusal{"implausible", *why};
+  const std::string frame = message.header().frame_id().c_str();
+  if (const auto refused = estimator_->tell_pose(frame, pose, covariance)) {
+    return stetro_dds::Refusal{refused->reason, refused->detail};
   }
   told_poses_.order = order;
   return std::nullopt;
+}
+
+Rejection LocalizerNode::Parts::take_correction(const stetro_msgs::msg::PoseCorrection & message)
+{
+  PoseCorrection correction;
+  if (auto rejection = take(message, correction)) {
+    ++unfit_corrections_;
+    return rejection;
+  }
+  const CorrectionOutcome outcome = estimator_->take_correction(correction, node_.clock().now());
+  if (outcome != told_correction_) {
+    node_.log().log(
+      was_taken(outcome) ? spdlog::level::info : spdlog::level::warn, "pose_correction on {}: {}",
+      correction.floor_id, to_string(outcome));
+    told_correction_ = outcome;
+  }
+  if (outcome == CorrectionOutcome::kReset || outcome == CorrectionOutcome::kGatedLost) {
+    publish();
+    store();
+  }
+  if (was_taken(outcome)) {
+    return std::nullopt;
+  }
+  return stetro_dds::Refusal{to_string(outcome), "of " + correction.floor_id};
 }
 
 void LocalizerNode::Parts::tell_resets(const StairEstimate & estimate)

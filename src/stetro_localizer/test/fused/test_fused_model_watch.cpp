@@ -173,6 +173,26 @@ TEST(FusedModelWatch, FollowsASlip)
   }
 }
 
+// Something a third of a metre before the wall, for a tenth of a second: farther than any slip.
+TEST(FusedModelWatch, AnObjectInTheBeamIsNoSlip)
+{
+  for (const bool is_calibrated : {true, false}) {
+    StandingRobot robot;
+    calibrate(robot);
+    if (!is_calibrated) {
+      robot.know(kStateY, 0.3, 0.015);
+      robot.know(offset_index(Ranger::kSideRight), 0.0, 0.010);
+    }
+    robot.read(Place::kSideRight, robot.noisy(0.55));
+    robot.know(kStateY, 0.6, is_calibrated ? 0.001 : 0.015);
+    for (int i = 0; i < 5; ++i) {
+      robot.read(Place::kSideRight, robot.noisy(0.25));
+    }
+    EXPECT_NEAR(robot.core.filter[kStateY], 0.6, 0.02);
+    EXPECT_FALSE(robot.core.doubted[kStateY]);
+  }
+}
+
 /// Block 2's right bumper closes; the other switches are known and open.
 void touch_right(StandingRobot & robot)
 {

@@ -147,6 +147,30 @@ TEST_F(HistoryTest, ALateSampleCounts)
   EXPECT_LT(with.core().filter.variance(kStateY), without.core().filter.variance(kStateY));
 }
 
+// Readings of one time come in two arrays, the later first and one reading in both.
+TEST_F(HistoryTest, AnArrayThatComesInPartsIsWhole)
+{
+  const std::vector<Sample> samples = a_sweep();
+  History whole = history();
+  History parted = history();
+  RangeSample array;
+  array.stamp = kStart + milliseconds(3805);
+  array[Place::kSideRight] = reading(array.stamp, 1.0117 * 1.02);
+  array[Place::kFrontLeft] = reading(array.stamp, 0.216);
+  RangeSample one = array;
+  one[Place::kFrontLeft] = {};
+  for (const Sample & sample : samples) {
+    whole.take(sample);
+    parted.take(sample);
+  }
+  EXPECT_EQ(whole.take(array), History::Taken::kYes);
+  EXPECT_EQ(parted.take(one), History::Taken::kYes);
+  EXPECT_EQ(parted.take(array), History::Taken::kYes);
+  EXPECT_EQ(parted.core().filter.state(), whole.core().filter.state());
+  EXPECT_EQ(parted.core().filter.covariance(), whole.core().filter.covariance());
+  EXPECT_EQ(parted.take(one), History::Taken::kTwice);
+}
+
 TEST_F(HistoryTest, NoLateSampleChangesWhatIsSettled)
 {
   History history = this->history();

@@ -96,6 +96,23 @@ TEST(ConeOnWall, IsTheMeanOfItsRays)
   EXPECT_NEAR(cone.stretch(0.0), 1.0118, 2e-4);
 }
 
+// What fused_estimator.md and cone.hpp say of 25 degrees, by the sum over rays.
+TEST(ConeOnWall, GrowsWithTheSlantNearlyAsItsAxis)
+{
+  const double half_rad = 0.4363 / 2.0;
+  const double square = summed_stretch(half_rad, 0.0);
+  const auto beside_axis = [&](double incidence_rad) {
+    return summed_stretch(half_rad, incidence_rad) * std::cos(incidence_rad);
+  };
+  constexpr double kDegree = 0.017453292519943;
+  EXPECT_NEAR(beside_axis(10.0 * kDegree) / square - 1.0, -0.0007, 5e-5);
+  EXPECT_NEAR(beside_axis(30.0 * kDegree) / square - 1.0, -0.008, 3e-4);
+  EXPECT_NEAR(beside_axis(10.0 * kDegree) - 1.0, 0.011, 3e-4);
+  EXPECT_GT(beside_axis(35.0 * kDegree), 1.0);
+  EXPECT_LT(beside_axis(36.0 * kDegree), 1.0);
+  EXPECT_NEAR(std::acos(1.0 / square) / kDegree, 8.8, 0.05) << "a slant, to a model without cone";
+}
+
 TEST(ConeOnWall, OfZeroIsARay)
 {
   const ConeOnWall ray(0.0);

@@ -167,6 +167,18 @@ TEST(SlipWatch, OneWildReadingAloneIsNoSlip)
   }
 }
 
+// In mm: 200 counts as 24, twice the usual slip, and adds 8.11 / 2.5 = 3.24 at most; 12 and 12 add
+// 2.88 each: 9.01 passes. 1 / var(d) = 3 / 25 + 1 / 144 and d = (24 + 12 + 12) / 25 * var(d).
+TEST(SlipWatch, AWildReadingSizesASlipByWhatItCountsFor)
+{
+  SlipWatch watch(kSlip, kFalseAlarm);
+  EXPECT_FALSE(watch.add(0.200, kVariance, 1.0));
+  EXPECT_FALSE(watch.add(0.012, kVariance, 1.0));
+  const auto slip = watch.add(0.012, kVariance, 1.0);
+  ASSERT_TRUE(slip);
+  EXPECT_NEAR(slip->shift_m, 1e-3 * 48.0 / 25.0 * 3600.0 / 457.0, 1e-12);
+}
+
 // Lorden 1971 bounds the rate of either sum.
 TEST(SlipWatch, AlarmsNoOftenerThanAsked)
 {

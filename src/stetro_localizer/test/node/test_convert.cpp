@@ -160,6 +160,31 @@ TEST(Convert, RefusesNumbersThatAreNone)
   EXPECT_EQ(take(odometry, wheels, odom)->reason, "not_finite");
 }
 
+// Turned by 0.5 about z, then by 0.1 about its own y axis: the product of both, by hand.
+TEST(Convert, TakesThePitchOfAnImuThatKnowsIt)
+{
+  const double cz = std::cos(0.25);
+  const double sz = std::sin(0.25);
+  const double cy = std::cos(0.05);
+  const double sy = std::sin(0.05);
+  sensor_msgs::msg::Imu imu;
+  imu.orientation().w(cz * cy);
+  imu.orientation().x(-sz * sy);
+  imu.orientation().y(cz * sy);
+  imu.orientation().z(sz * cy);
+  GyroSample gyro;
+  ASSERT_FALSE(take(imu, gyro));
+  ASSERT_TRUE(gyro.pitch_rad);
+  EXPECT_NEAR(*gyro.pitch_rad, 0.1, 1e-12) << "nose down is positive";
+  imu.orientation_covariance()[0] = -1.0;
+  ASSERT_FALSE(take(imu, gyro));
+  EXPECT_FALSE(gyro.pitch_rad) << "it says that it does not know";
+  imu.orientation_covariance()[0] = 0.0;
+  imu.orientation().w(kNan);
+  ASSERT_FALSE(take(imu, gyro));
+  EXPECT_FALSE(gyro.pitch_rad);
+}
+
 stetro_site::Flight turned_flight()
 {
   stetro_site::FlightSpec spec = papers_flight().spec();
@@ -183,18 +208,18 @@ TEST(Convert, MapAndFlightThereAndBackIsTheIdentity)
   const auto flight = turned_flight();
   const StairEstimate estimate = some_estimate();
   geometry_msgs::msg::PoseWithCovarianceStamped message;
-  fill(message, estimate, flight);
+  fill(message, estimate, segment_of(flight));
   EXPECT_EQ(std::string(message.header().frame_id().c_str()), "map");
   stetro_site::Pose pose;
   stetro_site::Covariance covariance;
-  ASSERT_FALSE(take(message, flight, pose, covariance));
+  ASSERT_FALSE(take(message, pose, covariance));
+  pose = flight.T_map_flight().to_frame(pose);
+  covariance = flight.T_map_flight().to_frame(covariance);
   EXPECT_NEAR(pose.x_m, 0.8, 1e-12);
   EXPECT_NEAR(pose.y_m, 1.1, 1e-12);
   EXPECT_NEAR(pose.z_m, 0.42, 1e-12);
   EXPECT_NEAR(pose.yaw_rad, 0.1, 1e-12);
   EXPECT_NEAR((covariance - estimate.covariance).norm(), 0.0, 1e-12);
-  message.header().frame_id(std::string("odom"));
-  EXPECT_EQ(take(message, flight, pose, covariance)->reason, "frame");
 }
 
 // map -> odom -> base_link is map -> base_link.
@@ -204,7 +229,7 @@ TEST(Convert, TransformClosesTheChain)
   const StairEstimate estimate = some_estimate();
   const stetro_site::Pose odom{0.4, -0.7, 0.0, 0.6};
   tf2_msgs::msg::TFMessage message;
-  fill(message, estimate, flight, odom);
+  fill(message, estimate, segment_of(flight), odom);
   ASSERT_EQ(message.transforms().size(), 1u);
   const auto & tf = message.transforms()[0].transform();
   const double yaw = 2.0 * std::atan2(tf.rotation().z(), tf.rotation().w());
@@ -224,7 +249,7 @@ TEST(Convert, SaysUnknownWhereItDoesNotKnow)
   lost.stamp = kTime;
   EXPECT_FALSE(is_known(lost.pose));
   stetro_msgs::msg::StairPose message;
-  fill(message, lost, papers_flight());
+  fill(message, lost, segment_of(papers_flight()));
   EXPECT_EQ(message.step_index(), -1);
   EXPECT_EQ(message.step_count(), 16);
   EXPECT_EQ(message.integrity(), stetro_msgs::msg::StairPose_Constants::INTEGRITY_LOST);

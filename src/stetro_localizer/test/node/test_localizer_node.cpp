@@ -154,7 +154,7 @@ protected:
     told.stamp = stamp;
     told.pose = {2.5 * 0.32, 1.0, 3 * 0.14, 0.0};
     geometry_msgs::msg::PoseWithCovarianceStamped message;
-    fill(message, told, papers_flight());
+    fill(message, told, segment_of(papers_flight()));
     message.header().frame_id("papers");
     message.header().stamp(stamp_of(stamp));
     return message;
@@ -280,7 +280,7 @@ TEST_F(LocalizerNodeTest, ReportsADamagedStateFileAndWaitsToBeTold)
   told.stamp = robot_.now;
   told.pose = {2.5 * 0.32, 1.0, 3 * 0.14, 0.0};
   geometry_msgs::msg::PoseWithCovarianceStamped message;
-  fill(message, told, papers_flight());
+  fill(message, told, segment_of(papers_flight()));
   message.pose().pose().position().x(10.0 + 2.5 * 0.32);
   wire_.tell(message);
   robot_.rest(1.0);
@@ -295,10 +295,14 @@ TEST_F(LocalizerNodeTest, RefusesPosesThatCannotBe)
   told.stamp = robot_.now;
   told.pose = {2.5 * 0.32, 1.0, 1.0, 0.0};
   geometry_msgs::msg::PoseWithCovarianceStamped message;
-  fill(message, told, papers_flight());
+  fill(message, told, segment_of(papers_flight()));
   wire_.tell(message);
   EXPECT_EQ(refused("initialpose", "implausible"), 1u);
-  wire_.correct({});
+  stetro_msgs::msg::PoseCorrection correction;
+  correction.header().frame_id(std::string("ground"));
+  correction.segment_id(std::string("ground"));
+  correction.pose().pose().orientation().w(1.0);
+  wire_.correct(correction);
   EXPECT_EQ(refused("pose_correction", "not_on_a_floor"), 1u);
 }
 

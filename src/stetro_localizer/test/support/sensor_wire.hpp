@@ -29,6 +29,7 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "node/convert.hpp"
 #include "stetro_dds/node.hpp"
@@ -163,7 +164,8 @@ public:
   }
   [[nodiscard]] const StairEstimate & estimate() const override { return estimate_; }
   [[nodiscard]] const SourceReports & reports() const override { return reports_; }
-  [[nodiscard]] std::array<Bias, 4> biases() const override { return {}; }
+  [[nodiscard]] std::vector<Bias> biases() const override { return {}; }
+  [[nodiscard]] const std::vector<Source> & compared() const override { return compared_; }
   [[nodiscard]] StoredState state_to_store() const override { return {}; }
   [[nodiscard]] std::uint64_t state_version() const override { return 0; }
 
@@ -186,6 +188,7 @@ private:
   stetro_dds::Node node_;
   std::function<void(Nanoseconds)> turn_ = [](Nanoseconds) {};
   Nanoseconds last_{0};
+  std::vector<Source> compared_;
   StairEstimate estimate_;
   SourceReports reports_;
   stetro_dds::Publisher<stetro_msgs::msg::RangeArray> & ranges_ =

@@ -20,6 +20,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <random>
 #include <utility>
 
@@ -72,6 +73,7 @@ public:
   bool sides_dead = false;                        ///< the side sensors see nothing
   bool front_dead = false;                        ///< the front pair sees nothing
   bool switches_closed = false;                   ///< both riser switches
+  std::optional<Place> dead;                      ///< a sensor that has stopped to answer
   double person_m = 0.0;                          ///< if not 0: front pair reads this [m]
   double cone_rad = 0.0;   ///< full angle in which a front beam takes a side wall in [rad]
   double made_up_m = 0.0;  ///< if not 0: a side sensor beyond its reach reads this [m]
@@ -247,6 +249,16 @@ private:
     return std::min(riser_m, wall_in_cone_m(mount_y_m));
   }
 
+  // Block 2's rear face while that is in the way, else the first face behind it.
+  [[nodiscard]] double block3_front_m() const
+  {
+    if (block_z_m[1] - block_z_m[2] < 0.12) {
+      return 0.035;
+    }
+    const int riser = static_cast<int>(std::floor((block_z_m[2] + 0.07) / 0.14)) + 1;
+    return riser > 16 ? 9.0 : std::max((riser - 1) * 0.32 - x_m + 0.11, 0.0);
+  }
+
   // Where the edge of a front beam's cone meets the nearer side wall.
   [[nodiscard]] double wall_in_cone_m(double mount_y_m) const
   {
@@ -265,10 +277,16 @@ private:
         return front_dead ? 9.0 : front_m(0.10);
       case Place::kFrontRight:
         return front_dead ? 9.0 : front_m(-0.10);
+      case Place::kStairFront:
+        return front_dead ? 9.0 : front_m(0.0);
       case Place::kSideLeft:
         return sides_dead ? 9.0 : (2.05 - y_m) / std::cos(yaw_rad) - 0.05;
       case Place::kSideRight:
         return sides_dead ? 9.0 : y_m / std::cos(yaw_rad) - 0.05;
+      case Place::kBlock1Down:
+        return 0.035 + (bearing[0] ? 0.0 : 0.1);
+      case Place::kBlock3Front:
+        return block3_front_m();
       case Place::kBlock2Down:
         return 0.035 + (bearing[1] ? 0.0 : 0.1);
       default:
@@ -279,6 +297,10 @@ private:
   [[nodiscard]] RangeReading reading(Place place)
   {
     const std::size_t i = stetro_site::index_of(place);
+    if (place == dead) {
+      return {answered_[i], 0.0, 0.0, RangeStatus::kFault};
+    }
+    answered_[i] = now;
     const double true_m = true_range_m(place);
     const double sigma_m = std::hypot(errors_.white_m, errors_.white_per_m * true_m);
     const double range_m =
@@ -310,6 +332,7 @@ private:
   SensorErrors errors_;
   std::mt19937 random_;
   std::normal_distribution<double> normal_;
+  std::array<Nanoseconds, stetro_site::kPlaces.size()> answered_{};
   int ticks_ = 0;
   int moving_ = -1;
   bool sent_left_ = false;

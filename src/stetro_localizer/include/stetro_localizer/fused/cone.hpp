@@ -36,7 +36,8 @@ namespace stetro_localizer
  *   E[cos^3 theta] = cos^3 psi E[cos^3 a] + (3/2) cos psi sin^2 psi E[cos a sin^2 a]
  *
  * A cone of zero is a ray: f = 1 / cos psi. One of 25 deg reads 1.2 % too much when square, and
- * grows with the slant less than its axis does: 0.7 % less at 10 deg.
+ * grows with the slant a little less than its axis does: f(psi) / f(0) is 0.07 % below 1 / cos psi
+ * at 10 deg, 0.8 % at 30 deg. It reads less than the axis alone beyond 35 deg only.
  */
 class ConeOnWall
 {

@@ -15,6 +15,9 @@
 #ifndef STETRO_LOCALIZER__FUSED__ERROR_STATE_FILTER_HPP_
 #define STETRO_LOCALIZER__FUSED__ERROR_STATE_FILTER_HPP_
 
+#include <array>
+#include <cstddef>
+
 #include "stetro_localizer/fused/expectation.hpp"
 #include "stetro_localizer/fused/state.hpp"
 #include "stetro_localizer/stored_state.hpp"
@@ -102,6 +105,23 @@ public:
 
   /// Makes a state known as `value` with `variance`, independent of all the others.
   void set(int index, double value, double variance);
+
+  /// Makes several states known together, independent of all the others.
+  template <int kSize>
+  void set(
+    const std::array<int, kSize> & indices, const Eigen::Matrix<double, kSize, 1> & values,
+    const Eigen::Matrix<double, kSize, kSize> & covariance)
+  {
+    for (int i = 0; i < kSize; ++i) {
+      set(indices[static_cast<std::size_t>(i)], values[i], 0.0);
+    }
+    for (int i = 0; i < kSize; ++i) {
+      for (int j = 0; j < kSize; ++j) {
+        P_(indices[static_cast<std::size_t>(i)], indices[static_cast<std::size_t>(j)]) =
+          covariance(i, j);
+      }
+    }
+  }
 
   /// Adds independent noise to one state.
   void inflate(int index, double variance) { P_(index, index) += variance; }

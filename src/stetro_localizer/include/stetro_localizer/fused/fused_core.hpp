@@ -59,18 +59,20 @@ struct FusedCore
   }
 
   ErrorStateFilter filter;
-  StepFilter steps;              // refers to the model's StepModel
-  Nanoseconds time{0};           ///< the filter's state is for this; zero before the first sample
-  Nanoseconds gyro_time{0};      ///< of the last gyroscope sample
-  double rate_radps = 0.0;       ///< it
-  Nanoseconds gyro_lived_at{0};  ///< its reading changed last, or the robot was not in motion
-  bool rolling = false;          ///< the wheels turn
+  StepFilter steps;          // refers to the model's StepModel
+  Nanoseconds time{0};       ///< the filter's state is for this; zero before the first sample
+  Nanoseconds gyro_time{0};  ///< of the last gyroscope sample
+  double rate_radps = 0.0;   ///< it
+  std::optional<double> pitch_rad;  ///< with it, if its IMU knows
+  Nanoseconds gyro_lived_at{0};     ///< its reading changed last, or the robot was not in motion
+  bool rolling = false;             ///< the wheels turn
   Standstill standstill;
   bool blocks_moving = false;
   ContactSample contacts;                                 ///< the last one
   std::array<std::array<Nanoseconds, 4>, 2> closed_at{};  ///< bumpers and switch, left and right
   RangeSample last_ranges;     ///< the last reading of each place; it counts while it is young
   Nanoseconds wheels_time{0};  ///< of the last wheel speeds
+  bool wheels_silent = false;  ///< for so long that their speeds count no more
   double travel_m = 0.0;       ///< way along x since the beginning [m]
   ContactClosure closure{0.0, 0.0};
   SourceReports reports;

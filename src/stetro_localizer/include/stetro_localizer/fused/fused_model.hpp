@@ -48,6 +48,13 @@ using RangerPair = std::array<PairedRanger, 2>;
 class FusedModel
 {
 public:
+  using Core = FusedCore;
+  using Sample = stetro_localizer::Sample;
+
+  /// Adds the places that one array of ranges has and another of the same time has not.
+  /** \return whether there were any */
+  static bool fill_in(Sample & kept, const Sample & sample);
+
   FusedModel(
     const LocalizerParams & params, const stetro_site::RobotGeometry & robot,
     const stetro_site::Flight & flight);
@@ -71,6 +78,9 @@ public:
 
   /// How far the heading may be off by what the front pair suspects of it and of the gyroscope.
   [[nodiscard]] double suspected_turn_rad(const FusedCore & core) const;
+
+  /// A side wall lies in reach, and long enough for the cone of its sensor.
+  [[nodiscard]] bool wall_in_sight(const FusedCore & core) const;
 
   /// Makes the core believe that it stands on `step`; x becomes unknown within the tread.
   void locate(FusedCore & core, int step) const;
@@ -112,6 +122,7 @@ private:
   [[nodiscard]] bool told_by_one(const FusedCore & core, int axis) const;
   void take_suspected_slip(FusedCore & core, int axis) const;
   void reconsider_front(FusedCore & core, const SourceReport & refused) const;
+  void reconsider_side(FusedCore & core, Side side, const SourceReport & refused) const;
   void explain_surprise(FusedCore & core, int axis, double surprise_m2) const;
   void doubt(FusedCore & core, int axis, double shift_m) const;
   void doubt_heading(FusedCore & core, double difference_m) const;

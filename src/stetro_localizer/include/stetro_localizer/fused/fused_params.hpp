@@ -44,6 +44,7 @@ struct FusedNoise
 {
   double wheels_mps = 0.001;       ///< of a wheel speed [m/s]
   double blocked_mps = 0.02;       ///< of a robot that pushes against a wall [m/s]
+  double unseen_mps = 0.15;        ///< of a robot whose wheels have stopped to tell [m/s]
   double gyro_radps = 0.00175;     ///< of one gyroscope sample [rad/s]
   double bumper_m = 0.001;         ///< where a bumper closes [m]
   double riser_switch_m = 0.0005;  ///< where a riser switch closes [m]
@@ -64,6 +65,7 @@ struct FusedAlerts
   double stuck_s = 0.5;               ///< the gyroscope is stuck after so long [s]
   double offset_m = 0.05;             ///< an offset beyond this is not trusted [m]
   double gain = 0.15;                 ///< nor is such a gain [-]
+  double off_tread_m = 0.01;          ///< x off the tread by more than its level and this [m]
   double as_built_m = 0.02;           ///< a tread or width off the site file by more is told [m]
   std::int64_t reject_streak = 15;    ///< gated in a row: a sensor contradicts the others
 };
@@ -77,7 +79,7 @@ struct FusedParams
   FusedAlerts alerts;
   StepFilterParams steps;
   double gate_false_alarm = 1e-4;  ///< share of sound measurements that a gate refuses [-]
-  double window_s = 0.4;           ///< late samples are applied at their time within this [s]
+  double window_s = 0.3;           ///< late samples are applied at their time within this [s]
   double contact_gate_m = 0.05;    ///< a contact that surprises by more is not believed [m]
   double slip_m = 0.012;           ///< a usual slip [m]
   double most_slip_m = 0.04;       ///< what shifts ranges by more within seconds is no slip [m]
@@ -118,6 +120,7 @@ void visit(FusedParams & p, Visitor && each)
   FusedNoise & noise = p.noise;
   each("noise.wheels_mps", noise.wheels_mps, Within{1e-5, 1.0}, "of a wheel speed [m/s]");
   each("noise.blocked_mps", noise.blocked_mps, Within{1e-4, 1.0}, "against a wall [m/s]");
+  each("noise.unseen_mps", noise.unseen_mps, Within{1e-3, 5.0}, "wheels are silent [m/s]");
   each("noise.gyro_radps", noise.gyro_radps, Within{1e-6, 1.0}, "of a gyroscope sample [rad/s]");
   each("noise.bumper_m", noise.bumper_m, Within{1e-4, 0.05}, "where a bumper closes [m]");
   each("noise.riser_switch_m", noise.riser_switch_m, Within{1e-5, 0.05}, "where one closes [m]");
@@ -145,6 +148,9 @@ void visit(FusedParams & p, Visitor && each)
     "the gyroscope repeats itself in motion: stuck after [s]");
   each("alerts.offset_m", alert.offset_m, Within{0.001, 0.5}, "larger offset is not trusted [m]");
   each("alerts.gain", alert.gain, Within{0.001, 1.0}, "larger gain error is not trusted [-]");
+  each(
+    "alerts.off_tread_m", alert.off_tread_m, Within{0.0, 0.2},
+    "x off the tread by this beyond its protection level [m]");
   each(
     "alerts.as_built_m", alert.as_built_m, Within{0.001, 0.5},
     "a tread or width off the site file by more is reported [m]");

@@ -55,6 +55,10 @@ public:
   /// It has not seen what was in its reach.
   void miss() { ++missed_; }
 
+  /// It has seen it, although it cannot say how far away it is; once it is blind, only a distance
+  /// clears it.
+  void meet() { missed_ = blind() ? missed_ : 0; }
+
   /// It has missed what was in its reach again and again.
   [[nodiscard]] bool blind() const { return missed_ >= kMostMissed; }
 

@@ -65,7 +65,7 @@ public:
       // One wild reading alone is no slip.
       sum->likelihood += std::min((d_m * e_m - d_m * d_m / 2.0) / variance_m2, limit_ / kLeast);
       sum->weight += sum->left * sum->left / variance_m2;
-      sum->weighted_m += sum->left * innovation_m / variance_m2;
+      sum->weighted_m += sum->left * e_m / variance_m2;
       sum->left *= kept;
       // A slip that the filter has followed is past: what comes now may be another.
       if (sum->likelihood <= 0.0 || sum->left < kPast) {

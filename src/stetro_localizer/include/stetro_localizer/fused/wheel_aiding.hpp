@@ -12,15 +12,16 @@
 // See the License for the specific language governing permissions and
 // limitations under the License.
 
-#ifndef STETRO_LOCALIZER__FUSED__MOTION_AIDING_HPP_
-#define STETRO_LOCALIZER__FUSED__MOTION_AIDING_HPP_
+#ifndef STETRO_LOCALIZER__FUSED__WHEEL_AIDING_HPP_
+#define STETRO_LOCALIZER__FUSED__WHEEL_AIDING_HPP_
 
 #include "stetro_localizer/fused/expectation.hpp"
 
 namespace stetro_localizer
 {
 
-/// Speed along x as the wheels count it: (1 + scale) vx [m/s].
+/// Speed along one axis as the wheels count it: (1 + s) v [m/s].
+/** \param speed_index kStateVx or kStateVy */
 [[nodiscard]] inline Expectation expect_wheels(const StateVector & state, int speed_index)
 {
   Expectation speed((1.0 + state[kStateOdomScale]) * state[speed_index]);
@@ -29,22 +30,6 @@ namespace stetro_localizer
   return speed;
 }
 
-/// Speed of a robot that cannot move that way: it leans against something [m/s].
-[[nodiscard]] inline Expectation expect_blocked(const StateVector & state, int speed_index)
-{
-  Expectation speed(state[speed_index]);
-  speed.depends_on(speed_index, 1.0);
-  return speed;
-}
-
-/// What the gyroscope reads while the robot stands: its bias [rad/s].
-[[nodiscard]] inline Expectation expect_standing_gyro(const StateVector & state)
-{
-  Expectation rate(state[kStateGyroBias]);
-  rate.depends_on(kStateGyroBias, 1.0);
-  return rate;
-}
-
 }  // namespace stetro_localizer
 
-#endif  // STETRO_LOCALIZER__FUSED__MOTION_AIDING_HPP_
+#endif  // STETRO_LOCALIZER__FUSED__WHEEL_AIDING_HPP_
