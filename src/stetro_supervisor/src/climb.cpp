@@ -230,7 +230,7 @@ void Climb::enter(const Exit & exit, const Situation & s)
   }
 }
 
-MotionCommand Climb::tick(Time now, const Observation & seen)
+void Climb::look_on(Time now, const Observation & seen)
 {
   transition_.reset();
   take_time(now);
@@ -242,6 +242,11 @@ MotionCommand Climb::tick(Time now, const Observation & seen)
   const Time last_front = last_front_time_;
   const auto & front = seen_.range(Place::kFrontLeft);
   take_ranges(front ? std::max(0.0, seconds_between(last_front, front->time)) : 0.0);
+}
+
+MotionCommand Climb::tick(Time now, const Observation & seen)
+{
+  look_on(now, seen);
   const Situation s = situation();
   watch(s);
   const Row & row = row_of(state_);

@@ -94,6 +94,10 @@ constexpr std::array<const char *, kFaultCount> kFaults{{
   "evidence_contradicts",
   "pose_lost",
   "held_too_long",
+  "no_way",
+  "way_blocked",
+  "leg_timeout",
+  "not_handed_over",
 }};
 
 constexpr std::array<const char *, 4> kLegs{{"first", "second", "middle", "done"}};

@@ -17,7 +17,6 @@
 
 #include "stetro_config/value.hpp"
 #include "stetro_supervisor/pose_reason.hpp"
-#include "stetro_supervisor/rejoin.hpp"
 
 namespace stetro_supervisor
 {
@@ -33,34 +32,13 @@ bool same_matter(const MissionRequest & a, const MissionRequest & b)
   return a.kind == b.kind && a.segment_id == b.segment_id && same(a.told, b.told);
 }
 
-bool is_free(State state)
-{
-  return state == State::kIdle || state == State::kAborted || state == State::kFinished;
-}
-
 bool starts_something(RequestKind kind)
 {
   return kind == RequestKind::kCleanFlight || kind == RequestKind::kResume ||
          kind == RequestKind::kRelocalise;
 }
 
-bool emergency_stop_closed(const Situation & s)
-{
-  return s.seen.contacts && s.seen.contacts->emergency_stop.state != ContactState::kOpen;
-}
-
-/// What is seen to move, in words; empty if nothing is.
-std::string moving_part(const Situation & s)
-{
-  for (int number = 1; number <= 3; ++number) {
-    if (s.block(number).moving) {
-      return "block " + std::to_string(number);
-    }
-  }
-  return s.seen.blocks && s.seen.blocks->steering_moving ? "the steering" : "";
-}
-
-MissionState mission_state(const Climb & climb)
+MissionState state_of_climb(const Climb & climb)
 {
   switch (climb.state()) {
     case State::kIdle:
@@ -81,7 +59,61 @@ MissionState mission_state(const Climb & climb)
   }
 }
 
+MissionState state_of_drive(const Journey & journey)
+{
+  if (journey.part() == Part::kDone || journey.part() == Part::kAborted) {
+    return journey.part() == Part::kDone ? MissionState::kFinished : MissionState::kAborted;
+  }
+  switch (journey.drive().state()) {
+    case DriveState::kPaused:
+      return MissionState::kPaused;
+    case DriveState::kHeld:
+    case DriveState::kWaitPose:
+      return MissionState::kHeld;
+    case DriveState::kFault:
+      return MissionState::kFault;
+    default:
+      return MissionState::kRunning;
+  }
+}
+
 }  // namespace
+
+MissionState Mission::mission_state() const
+{
+  return drives() ? state_of_drive(*journey_) : state_of_climb(climb());
+}
+
+std::string Mission::state_name() const
+{
+  if (!drives()) {
+    return to_string(climb().state());
+  }
+  switch (mission_state()) {
+    case MissionState::kFinished:
+      return to_string(State::kFinished);
+    case MissionState::kAborted:
+      return to_string(State::kAborted);
+    default:
+      return to_string(journey_->drive().state());
+  }
+}
+
+MissionRecord Mission::record() const
+{
+  return journey_ != nullptr ? journey_->record() : climb().record();
+}
+
+void Mission::ask(Asked asked)
+{
+  if (!drives()) {
+    climb().ask(asked);
+  } else if (asked == Asked::kResume) {
+    journey_->resume_drive();
+  } else {
+    journey_->drive().ask(asked);
+  }
+}
 
 const Mission::Answered * Mission::find(const MissionRequest & request) const
 {
@@ -129,14 +161,17 @@ MissionAnswer Mission::answer_new(const MissionRequest & request)
 
 std::string Mission::refusal(const MissionRequest & request)
 {
-  const MissionRecord & record = climb_.record();
+  const MissionRecord record = this->record();
   if (record.active && record.request_id == request.request_id && record.issuer == request.issuer) {
     // the id of the request that started this mission, before a restart
+    const bool goes = !record.goal.empty();
     const MissionRequest start{
-      record.request_id, record.issuer, RequestKind::kCleanFlight, record.segment_id};
+      record.request_id, record.issuer,
+      goes ? RequestKind::kGoToSegment : RequestKind::kCleanFlight,
+      goes ? record.goal : record.segment_id};
     return same_matter(start, request) ? "" : kIdReused;
   }
-  if (climb_.is_asked()) {
+  if (climb().is_asked() || (drives() && journey_->drive().is_asked())) {
     return "another request is being taken up, ask again";
   }
   if (forwarded_ && starts_something(request.kind)) {
@@ -145,7 +180,7 @@ std::string Mission::refusal(const MissionRequest & request)
   }
   const auto judge = [this](const std::string & reason, Asked asked) {
     if (reason.empty()) {
-      climb_.ask(asked);
+      ask(asked);
     }
     return reason;
   };
@@ -153,7 +188,7 @@ std::string Mission::refusal(const MissionRequest & request)
     case RequestKind::kCleanFlight:
       return refuse_clean(request);
     case RequestKind::kGoToSegment:
-      return "going to a segment is not supported yet, and going down stairs is not supported";
+      return refuse_to_go(request);
     case RequestKind::kRelocalise:
       return refuse_relocalise(request);
     case RequestKind::kPause:
@@ -169,112 +204,12 @@ std::string Mission::refusal(const MissionRequest & request)
   }
 }
 
-std::string Mission::refuse_clean(const MissionRequest & request)
-{
-  const Situation s = climb_.situation();
-  const std::string & flight = climb_.geometry().segment_id;
-  if (request.segment_id != flight) {
-    return "segment '" + request.segment_id + "' is no flight here, accepted: '" + flight + "'";
-  }
-  if (!is_free(climb_.state())) {
-    return std::string("a mission is under way in state '") + to_string(climb_.state()) + "'";
-  }
-  if (emergency_stop_closed(s)) {
-    return "the emergency stop is closed or unknown";
-  }
-  if (!s.pose_lets_approach()) {
-    return "no climb without a sound pose: " + s.pose_doubt();
-  }
-  if (s.seen.pose->step >= s.geometry.steps()) {
-    return "the robot is on the last tread already, and going down is not supported";
-  }
-  Memory fresh = s.memory;
-  fresh.record = MissionRecord{};
-  fresh.record.step = s.seen.pose->step;
-  const RejoinChoice choice =
-    choose_entry({s.params, s.geometry, s.seen, fresh, s.state, s.now, s.entered});
-  if (choice.entry) {
-    climb_.start(request.request_id, request.issuer, s.seen.pose->step);
-  }
-  return choice.refusal;
-}
-
-std::string Mission::refuse_pause() const
-{
-  if (climb_.state() == State::kPaused) {
-    return "paused already";
-  }
-  return row_of(climb_.state()).works
-           ? ""
-           : std::string("nothing moves in state '") + to_string(climb_.state()) + "'";
-}
-
-std::string Mission::refuse_resume() const
-{
-  if (climb_.state() == State::kWaitPose) {
-    return "waits for the pose and goes on by itself: " + climb_.note();
-  }
-  if (climb_.state() != State::kHeld && climb_.state() != State::kPaused) {
-    return std::string("neither paused nor held, but '") + to_string(climb_.state()) + "'";
-  }
-  return choose_entry(climb_.situation()).refusal;
-}
-
-std::string Mission::refuse_abort() const
-{
-  if (climb_.state() == State::kFault) {
-    return "the fault '" + std::string(to_string(climb_.fault())) + "' has to be cleared first";
-  }
-  return climb_.record().active ? "" : "no mission is under way";
-}
-
-std::string Mission::refuse_clear() const
-{
-  if (climb_.state() != State::kFault) {
-    return "there is no fault";
-  }
-  const Situation s = climb_.situation();
-  if (emergency_stop_closed(s)) {
-    return "the emergency stop is closed or unknown";
-  }
-  for (int number = 1; number <= 3; ++number) {
-    if (s.block(number).fault) {
-      return "block " + std::to_string(number) + " is still broken";
-    }
-  }
-  return "";
-}
-
-std::string Mission::refuse_relocalise(const MissionRequest & request)
-{
-  const Situation s = climb_.situation();
-  if (mission_state(climb_) == MissionState::kRunning) {
-    return std::string("the mission is running, in state '") + to_string(climb_.state()) +
-           "', accepted: idle, paused, held, finished, aborted or in fault";
-  }
-  if (const std::string part = moving_part(s); !part.empty()) {
-    return part + " still moves, accepted: a robot at rest";
-  }
-  const std::string reason = refusal_of(request.told, request.segment_id, flight_);
-  if (!reason.empty()) {
-    return reason;
-  }
-  if (!s.seen.pose) {
-    return "no localizer has been heard yet, accepted: one that can be told";
-  }
-  forwarded_ = Forwarded{request, s.seen.pose->resets, s.now};
-  if (climb_.state() == State::kWaitPose) {
-    climb_.ask(Asked::kRelocalise);
-  }
-  return "";
-}
-
 std::optional<MissionAnswer> Mission::settle()
 {
   if (!forwarded_) {
     return std::nullopt;
   }
-  const Situation s = climb_.situation();
+  const Situation s = climb().situation();
   const std::string doubt = doubt_of_told(s);
   const double waited_s = seconds_between(forwarded_->since, s.now);
   if (!doubt.empty() && waited_s >= 0.0 && waited_s <= s.params.relocalise_limit_s) {
@@ -300,7 +235,7 @@ std::string Mission::doubt_of_told(const Situation & s) const
   if (!pose || pose->resets == forwarded_->resets) {
     return "the localizer has not taken the pose" + within + "; its log and diagnostics say why";
   }
-  const int told = flight_.step_at(in_flight(forwarded_->request.told, flight_).x_m);
+  const int told = flight().step_at(in_flight(forwarded_->request.told, flight()).x_m);
   const bool sure = pose->integrity != Integrity::kLost && (pose->reasons & kNotInitialised) == 0u;
   if (sure && pose->step == told) {
     return "";
@@ -312,22 +247,33 @@ std::string Mission::doubt_of_told(const Situation & s) const
 
 MissionStatus Mission::status() const
 {
-  const Situation s = climb_.situation();
-  const MissionRecord & record = climb_.record();
+  const MissionRecord record = this->record();
   MissionStatus status;
-  status.mission = mission_state(climb_);
-  status.state = climb_.state();
-  status.segment_id = climb_.geometry().segment_id;
+  status.mission = mission_state();
+  status.state = climb().state();
+  status.state_name = state_name();
+  if (drives()) {
+    const FloorDrive & drive = journey_->drive();
+    status.segment_id = journey_->segment();
+    status.step = 0;
+    status.time_in_state_s = drive.time_in_state_s();
+    status.time_limit_s = drive.time_limit_s();
+    status.fault = drive.fault();
+    status.detail = drive.note();
+    return status;
+  }
+  const Situation s = climb().situation();
+  status.segment_id = climb().geometry().segment_id;
   status.step = record.active ? record.step : s.pose_sound() ? s.seen.pose->step : -1;
-  status.step_count = climb_.geometry().steps();
+  status.step_count = climb().geometry().steps();
   for (std::size_t i = 0; i < record.swept.size(); ++i) {
     const double width = s.geometry.width_at_m(static_cast<int>(i) + 1);
     status.swept_share.push_back(record.swept[i].share(width, s.geometry.contact_width_m));
   }
-  status.time_in_state_s = climb_.time_in_state_s();
-  status.time_limit_s = climb_.time_limit_s();
-  status.fault = climb_.fault();
-  status.detail = climb_.note();
+  status.time_in_state_s = climb().time_in_state_s();
+  status.time_limit_s = climb().time_limit_s();
+  status.fault = climb().fault();
+  status.detail = climb().note();
   return status;
 }
 

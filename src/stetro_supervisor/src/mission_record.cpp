@@ -84,6 +84,9 @@ std::string encode(const MissionRecord & record)
   for (const Swept & swept : record.swept) {
     out << "swept " << swept.started << " " << swept.y_min_m << " " << swept.y_max_m << "\n";
   }
+  if (!record.goal.empty()) {
+    out << "goal " << std::quoted(record.goal) << "\n";
+  }
   return out.str();
 }
 
@@ -112,6 +115,9 @@ MissionRecord decode(const std::string & text)
       throw MissionFileError("mission file: two numbers expected after 'swept'");
     }
     record.swept.push_back(swept);
+  }
+  if (!(in >> std::ws).eof()) {
+    record.goal = read_quoted(in, "goal");
   }
   return record;
 }

@@ -21,13 +21,13 @@ namespace stetro_supervisor
 namespace
 {
 
-constexpr std::array<std::pair<PoseReason, const char *>, 14> kNames{
+constexpr std::array<std::pair<PoseReason, const char *>, 18> kNames{
   {{kNoSideRange, "no side range"},
    {kNoFrontReference, "no front reference"},
    {kStepUncertain, "step uncertain"},
    {kNotInitialised, "not initialised"},
    {kInputSilent, "input silent"},
-   {kCalibrationDamaged, "calibration damaged"},
+   {kCalibrationDamaged, "state file damaged"},
    {kClosureViolated, "closure violated"},
    {kSensorStuck, "sensor stuck"},
    {kSensorDead, "sensor dead"},
@@ -35,7 +35,11 @@ constexpr std::array<std::pair<PoseReason, const char *>, 14> kNames{
    {kProtectionExceeded, "protection exceeded"},
    {kClockJump, "clock jump"},
    {kContactConflict, "contact conflict"},
-   {kSlip, "slip"}}};
+   {kSlip, "slip"},
+   {kSensorCalibration, "sensor calibration beyond trust"},
+   {kHeadingConflict, "heading conflict"},
+   {kOffTread, "off the tread"},
+   {kContactClosure, "contact closure too large"}}};
 
 }  // namespace
 

@@ -19,16 +19,12 @@
 #include <limits>
 
 #include "stetro_supervisor/pose_reason.hpp"
+#include "stetro_supervisor/robot_health.hpp"
 
 namespace stetro_supervisor
 {
 namespace
 {
-
-/// Reasons of DEGRADED, as on the wire, that the next wall or riser takes away while standing still
-/// never would: no side range, no front reference, sides that do not add up, slip, a doubt about y.
-constexpr std::uint32_t kBearableReasons =
-  kNoSideRange | kNoFrontReference | kClosureViolated | kSlip | kProtectionExceeded;
 
 bool closed(const Contact & contact)
 {
@@ -38,13 +34,6 @@ bool closed(const Contact & contact)
 bool any_closed(const std::array<Contact, 3> & bumpers)
 {
   return std::any_of(bumpers.begin(), bumpers.end(), closed);
-}
-
-template <class Sample>
-bool older_than(const std::optional<Sample> & sample, Time now, double limit_s)
-{
-  // a sample from the future is as unusable as an old one: the clock has jumped
-  return !sample || std::abs(seconds_between(sample->time, now)) > limit_s;
 }
 
 }  // namespace
@@ -106,12 +95,7 @@ double Situation::heading_rad() const { return pose_usable() ? seen.pose->headin
 
 bool Situation::driver_silent() const
 {
-  const double limit_s = params.driver_silence_s;
-  const bool ranges_silent = std::all_of(
-    seen.ranges.begin(), seen.ranges.end(),
-    [&](const std::optional<Range> & range) { return older_than(range, now, limit_s); });
-  return ranges_silent || older_than(seen.contacts, now, limit_s) ||
-         older_than(seen.blocks, now, limit_s) || older_than(seen.odometry, now, limit_s);
+  return is_driver_silent(seen, now, params.driver_silence_s);
 }
 
 std::optional<double> Situation::range_m(Place place) const

@@ -38,7 +38,7 @@ void take_speeds(ClimbParams & params, const stetro_site::Speeds & speeds)
 const stetro_site::Flight * chosen_flight(
   const std::string & id, const stetro_site::Site & site, stetro_config::Faults & faults)
 {
-  if (id.empty() && site.flights().size() == 1) {
+  if (id.empty() && !site.flights().empty()) {
     return &site.flights().front();
   }
   if (const auto * flight = site.find_flight(id)) {
@@ -71,9 +71,15 @@ std::optional<SupervisorSetup> choose(
   if (flight == nullptr) {
     return std::nullopt;
   }
-  SupervisorSetup setup{params, *flight, deployment.robot};
+  SupervisorSetup setup{params, *flight, deployment.robot, deployment.site};
   take_speeds(setup.params.climb, deployment.robot.speeds);
-  check_climbable(make_geometry(*flight, deployment.robot.geometry), setup.params.climb, faults);
+  for (const stetro_site::Flight & each : deployment.site.flights()) {
+    stetro_config::Faults own;
+    check_climbable(make_geometry(each, deployment.robot.geometry), setup.params.climb, own);
+    for (const stetro_config::Fault & fault : own) {
+      add_unless_known(fault, faults);
+    }
+  }
   return setup;
 }
 

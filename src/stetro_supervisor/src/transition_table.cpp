@@ -15,6 +15,7 @@
 
 #include <algorithm>
 
+#include "stetro_supervisor/robot_health.hpp"
 #include "table_parts.hpp"
 
 namespace stetro_supervisor
@@ -26,35 +27,14 @@ bool works(const Situation & s) { return row_of(s.state).works; }
 
 bool needs_pose(const Situation & s) { return row_of(s.state).needs_pose && works(s); }
 
-bool unusable(const Contact & contact)
-{
-  return contact.fault || contact.state == ContactState::kUnknown;
-}
-
 bool emergency_stop(const Situation & s)
 {
-  return s.state != State::kFault && s.seen.contacts &&
-         s.seen.contacts->emergency_stop.state == ContactState::kClosed;
+  return s.state != State::kFault && is_emergency_stop_closed(s.seen);
 }
 
-bool block_broken(const Situation & s)
-{
-  return works(s) && s.seen.blocks &&
-         std::any_of(
-           s.seen.blocks->block.begin(), s.seen.blocks->block.end(),
-           [](const Block & block) { return block.fault; });
-}
+bool block_broken(const Situation & s) { return works(s) && is_block_broken(s.seen); }
 
-bool switch_broken(const Situation & s)
-{
-  if (!works(s) || !s.seen.contacts) {
-    return false;
-  }
-  const Contacts & c = *s.seen.contacts;
-  return std::any_of(c.left.begin(), c.left.end(), unusable) ||
-         std::any_of(c.right.begin(), c.right.end(), unusable) || unusable(c.riser_left) ||
-         unusable(c.riser_right) || unusable(c.emergency_stop);
-}
+bool switch_broken(const Situation & s) { return works(s) && is_switch_broken(s.seen); }
 
 bool refused_too_long(const Situation & s)
 {

@@ -145,4 +145,15 @@ TEST(Swept, ShareIsTheWidthPassedOverByTheBumpers)
   EXPECT_NEAR(swept.share(2.05, 0.23), 1.0, 1e-12);
 }
 
+TEST(MissionRecord, KeepsTheGoalOfAJourneyAndWritesNoneWithoutOne)
+{
+  MissionRecord record;
+  record.active = true;
+  record.segment_id = "ground";
+  EXPECT_EQ(encode(record).find("goal"), std::string::npos) << "as before there were journeys";
+  EXPECT_TRUE(decode(encode(record)).goal.empty());
+  record.goal = "first floor";
+  EXPECT_EQ(decode(encode(record)).goal, "first floor");
+}
+
 }  // namespace stetro_supervisor

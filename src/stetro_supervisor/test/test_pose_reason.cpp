@@ -25,14 +25,26 @@ namespace stetro_supervisor
 
 TEST(PoseReason, EveryBitOfTheWireHasItsWords)
 {
-  const char * const words[] = {"no side range",       "no front reference",
-                                "step uncertain",      "not initialised",
-                                "input silent",        "calibration damaged",
-                                "closure violated",    "sensor stuck",
-                                "sensor dead",         "profile disagrees",
-                                "protection exceeded", "clock jump",
-                                "contact conflict",    "slip"};
-  for (std::uint32_t bit = 0; bit < 14; ++bit) {
+  const char * const words[] = {
+    "no side range",
+    "no front reference",
+    "step uncertain",
+    "not initialised",
+    "input silent",
+    "state file damaged",
+    "closure violated",
+    "sensor stuck",
+    "sensor dead",
+    "profile disagrees",
+    "protection exceeded",
+    "clock jump",
+    "contact conflict",
+    "slip",
+    "sensor calibration beyond trust",
+    "heading conflict",
+    "off the tread",
+    "contact closure too large"};
+  for (std::uint32_t bit = 0; bit < 18; ++bit) {
     EXPECT_EQ(reasons_in_words(1u << bit), words[bit]);
   }
 }
@@ -40,7 +52,7 @@ TEST(PoseReason, EveryBitOfTheWireHasItsWords)
 TEST(PoseReason, SeveralAreAListAndUnknownOnesAreNotHidden)
 {
   EXPECT_EQ(reasons_in_words(1 | 4096), "no side range, contact conflict");
-  EXPECT_EQ(reasons_in_words(8192 | 65536), "slip, reason 65536 without a name");
+  EXPECT_EQ(reasons_in_words(8192 | 262144), "slip, reason 262144 without a name");
   EXPECT_EQ(reasons_in_words(0), "no reason given");
 }
 

@@ -62,6 +62,9 @@ public:
   /// One step: what the robot shall do until the next.
   MotionCommand tick(Time now, const Observation & seen);
 
+  /// Takes in what is seen without a transition or a command: something else is at the wheel.
+  void look_on(Time now, const Observation & seen);
+
   /// The situation of the last tick, for refusals and status.
   Situation situation() const;
 

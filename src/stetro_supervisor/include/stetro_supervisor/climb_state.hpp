@@ -93,9 +93,14 @@ enum class Fault : std::uint8_t {
   kStepContradiction,    ///< what was felt and the localizer's step do not agree
   kEvidenceContradicts,  ///< no state to go on from fits what is seen
   kPoseLost,
-  kHeldTooLong
+  kHeldTooLong,
+  // on floors
+  kNoWay,         ///< the map shows no way to where the robot is to go
+  kWayBlocked,    ///< something that is not on the map stood in the way for too long
+  kLegTimeout,    ///< a leg took too long
+  kNotHandedOver  ///< the localizer did not follow from floor to flight, or back
 };
-constexpr int kFaultCount = static_cast<int>(Fault::kHeldTooLong) + 1;
+constexpr int kFaultCount = static_cast<int>(Fault::kNotHandedOver) + 1;
 
 /// The parts of the climb: what a persisted state must share with what is seen after a restart.
 enum class Phase : std::uint8_t { kNone, kFloor, kFollowing, kSweeping, kStepping, kStanding };

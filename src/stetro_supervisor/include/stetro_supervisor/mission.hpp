@@ -23,6 +23,7 @@
 
 #include "stetro_site/flight.hpp"
 #include "stetro_supervisor/climb.hpp"
+#include "stetro_supervisor/journey.hpp"
 #include "stetro_supervisor/told_pose.hpp"
 
 namespace stetro_supervisor
@@ -44,7 +45,7 @@ struct MissionRequest
   std::string request_id;  ///< unique per issuer, not empty: the same id twice is one request
   std::string issuer;      ///< not empty
   RequestKind kind = RequestKind::kUnknown;
-  std::string segment_id;  ///< for kCleanFlight and kRelocalise
+  std::string segment_id;  ///< for kCleanFlight, kGoToSegment and kRelocalise
   ToldPose told{};         ///< for kRelocalise
 };
 
@@ -71,10 +72,11 @@ enum class MissionState : std::uint8_t {
 struct MissionStatus
 {
   MissionState mission = MissionState::kIdle;
-  State state = State::kIdle;
+  State state = State::kIdle;  ///< of the climb
+  std::string state_name;      ///< of whatever is at the wheel: the climb, or the drive on floors
   std::string segment_id;
-  int step = -1;  ///< of the mission, else of the localizer; -1 unknown
-  int step_count = 0;
+  int step = -1;       ///< of the mission, else of the localizer; -1 unknown; 0 on floors
+  int step_count = 0;  ///< 0 on floors
   std::vector<double> swept_share;  ///< of tread 1..N, 0 to 1
   double time_in_state_s = 0.0;
   double time_limit_s = 0.0;  ///< +inf where there is none
@@ -85,7 +87,7 @@ struct MissionStatus
 /// Answers requests and says what the robot is doing.
 /**
  * A request is judged by the situation of the last tick and taken up by the next one. Going down
- * stairs and going to another segment are refused as not supported.
+ * stairs is refused as not supported, and so is going to a segment over floors nobody has drawn.
  *
  * To relocalise is to tell the localizer a pose while nothing moves. Whoever owns the mission
  * forwards it when the answer waits; the answer comes from `settle()`, when the localizer's pose
@@ -98,7 +100,13 @@ class Mission
 public:
   /// \param climb outlives the mission
   /// \param flight that it climbs, and that a told pose is judged by
-  Mission(Climb & climb, stetro_site::Flight flight) : climb_(climb), flight_(std::move(flight)) {}
+  Mission(Climb & climb, stetro_site::Flight flight)
+  : lone_climb_(&climb), flight_(std::move(flight))
+  {
+  }
+
+  /// \param journey outlives the mission; its present flight is the one a request is judged by
+  explicit Mission(Journey & journey) : journey_(&journey) {}
 
   /// Accepts or refuses; a request seen before gets the answer it got then and changes nothing.
   /**
@@ -130,10 +138,25 @@ private:
     Time since;
   };
 
+  Climb & climb() { return journey_ != nullptr ? journey_->climb() : *lone_climb_; }
+  const Climb & climb() const { return journey_ != nullptr ? journey_->climb() : *lone_climb_; }
+  const stetro_site::Flight & flight() const
+  {
+    return journey_ != nullptr ? journey_->flight() : *flight_;
+  }
+  bool drives() const { return journey_ != nullptr && journey_->drives(); }
+  bool is_busy() const;
+  MissionState mission_state() const;
+  std::string known_flights() const;
+  MissionRecord record() const;
+  std::string state_name() const;
+  void ask(Asked asked);
+
   const Answered * find(const MissionRequest & request) const;
   MissionAnswer answer_new(const MissionRequest & request);
   std::string refusal(const MissionRequest & request);
   std::string refuse_clean(const MissionRequest & request);
+  std::string refuse_to_go(const MissionRequest & request);
   std::string refuse_relocalise(const MissionRequest & request);
   std::string doubt_of_told(const Situation & s) const;  // that the localizer has followed
   std::string refuse_pause() const;
@@ -141,8 +164,9 @@ private:
   std::string refuse_abort() const;
   std::string refuse_clear() const;
 
-  Climb & climb_;
-  stetro_site::Flight flight_;
+  Climb * lone_climb_ = nullptr;               // one of these two
+  Journey * journey_ = nullptr;                //
+  std::optional<stetro_site::Flight> flight_;  // of the lone climb
   std::optional<Forwarded> forwarded_;
   std::deque<Answered> answered_;  // the last ones, for duplicates
 };

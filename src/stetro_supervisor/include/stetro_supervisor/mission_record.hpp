@@ -42,7 +42,7 @@ struct Swept
 struct MissionRecord
 {
   bool active = false;     ///< a mission is under way
-  std::string segment_id;  ///< the flight it cleans
+  std::string segment_id;  ///< the flight it cleans; on a journey the floor or flight it is on
   std::string request_id;  ///< the request that started it, and who asked
   std::string issuer;
   State state = State::kIdle;  ///< the last state in which the robot worked
@@ -50,6 +50,7 @@ struct MissionRecord
   Leg leg = Leg::kFirst;       ///< next part of this tread's sweep
   double rolled_m = 0.0;       ///< rolled on towards the next riser, for the top that has none [m]
   std::vector<Swept> swept;    ///< of tread 1..N
+  std::string goal;            ///< the segment a journey goes to; empty: it cleans one flight
 };
 
 /// A file that is damaged or not a mission.

@@ -15,29 +15,23 @@
 #ifndef STETRO_SUPERVISOR__OBSERVATION_HPP_
 #define STETRO_SUPERVISOR__OBSERVATION_HPP_
 
+#include <Eigen/Core>
 #include <array>
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "stetro_site/sensor_place.hpp"
+#include "stetro_supervisor/floor/scan.hpp"
+#include "stetro_supervisor/time.hpp"
 
 namespace stetro_supervisor
 {
 
-/// Time on the receiver's clock: since the epoch, or since the origin of simulated time.
-using Time = std::chrono::nanoseconds;
-
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-
-/// `later - earlier` in seconds.
-inline double seconds_between(Time earlier, Time later)
-{
-  return std::chrono::duration<double>(later - earlier).count();
-}
 
 using stetro_site::Place;
 constexpr std::size_t kPlaceCount = stetro_site::kPlaces.size();
@@ -108,18 +102,20 @@ struct OdometryPose
 
 enum class Integrity : std::uint8_t { kUnknown, kOk, kDegraded, kLost };
 
-/// What the localizer says, in the flight frame.
+/// What the localizer says, in the frame of the flight or of the floor.
 struct StairPose
 {
   Time time{0};               ///< when it was received
   std::string segment_id;     ///< flight or floor
   bool on_flight = false;     ///< the segment is a flight
   int step = -1;              ///< tread block 2 stands on; 0 the floor below, -1 unknown
-  double y_m = kNan;          ///< distance of base_link from the right wall [m]
+  double y_m = kNan;          ///< of base_link; on a flight its distance from the right wall [m]
   double heading_rad = kNan;  ///< psi, CCW positive, 0 faces the risers (D1-6)
   Integrity integrity = Integrity::kUnknown;
   std::uint32_t reasons = 0;  ///< why integrity is not OK: a sum of PoseReason
   std::uint32_t resets = 0;   ///< jumps of the estimate so far
+  double x_m = kNan;          ///< of base_link [m]
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of (x, y, heading)
 };
 
 /// What the driver said to our last command.
@@ -140,6 +136,7 @@ struct Observation
   std::optional<StairPose> pose;
   std::optional<DriverAnswer> driver_answer;
   std::optional<std::uint64_t> driver_instance;  ///< changes when the driver's process restarts
+  std::shared_ptr<const Scan> scan;              ///< the last turn of the lidar
 
   const std::optional<Range> & range(Place place) const
   {

@@ -35,8 +35,19 @@ enum PoseReason : std::uint32_t {
   kProtectionExceeded = 1u << 10,
   kClockJump = 1u << 11,
   kContactConflict = 1u << 12,
-  kSlip = 1u << 13
+  kSlip = 1u << 13,
+  kSensorCalibration = 1u << 14,
+  kHeadingConflict = 1u << 15,
+  kOffTread = 1u << 16,
+  kContactClosure = 1u << 17
 };
+
+/// Reasons of DEGRADED, as on the wire, that the next wall or riser takes away while standing still
+/// never would: no side range, no front reference, sides that do not add up, slip, a doubt about
+/// y or heading, a contact that came too early or too late.
+constexpr std::uint32_t kBearableReasons = kNoSideRange | kNoFrontReference | kClosureViolated |
+                                           kSlip | kProtectionExceeded | kHeadingConflict |
+                                           kContactClosure;
 
 /// The reasons in words, separated by commas; bits without a name by their value.
 std::string reasons_in_words(std::uint32_t reasons);

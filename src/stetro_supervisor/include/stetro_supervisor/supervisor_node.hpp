@@ -28,9 +28,10 @@ namespace stetro_supervisor
 /**
  * Subscribes ranges, contacts, blocks, odom, command_status, stair_pose and mission; publishes
  * command, mission_status, initialpose (a pose that a request told), /fleet_states and
- * /diagnostics. Each period of the node's time the observation as it stands goes into the climb,
- * and the command that comes out to the driver, who acts on it only while it is valid. A mission
- * found in the state file is taken up held.
+ * /diagnostics. Where a floor of the site is drawn it also subscribes scan, and publishes
+ * profile_check and pose_correction. Each period of the node's time the observation as it stands
+ * goes into the journey, and the command that comes out to the driver, who acts on it only while
+ * it is valid. A mission found in the state file is taken up held.
  *
  * A sample of the driver is as old as its stamp says; beyond `max_sample_age_s` it is refused, as
  * are stamps of zero, ahead of the clock, or before the one before. A request is refused, and

@@ -17,6 +17,7 @@
 #include <string>
 
 #include "stetro_supervisor/climb_params.hpp"
+#include "stetro_supervisor/floor/floor_params.hpp"
 
 namespace stetro_supervisor
 {
@@ -26,7 +27,7 @@ struct SupervisorParams
 {
   std::string site_file;
   std::string robot_file;
-  std::string flight;         ///< id; empty: the only one of the site
+  std::string flight;         ///< id; empty: the only one of the site, or the first
   std::string state_file;     ///< keeps the mission across a restart; empty: nowhere
   double rate_hz = 20.0;      ///< ticks and commands
   double valid_for_s = 0.15;  ///< life of a command
@@ -35,6 +36,7 @@ struct SupervisorParams
   double request_tolerance_s = 5.0;
   std::string fleet = "stetro";
   ClimbParams climb;
+  FloorParams floor;
 };
 
 template <class Visitor>
@@ -45,7 +47,9 @@ void visit(SupervisorParams & p, Visitor && each)
   using stetro_config::Within;
   each("site_file", p.site_file, NonEmpty{}, "flights and floors of the building");
   each("robot_file", p.robot_file, NonEmpty{}, "body, sensors and speeds");
-  each("flight", p.flight, Any{}, "id of the flight to clean; empty: the only one of the site");
+  each(
+    "flight", p.flight, Any{},
+    "id of the flight that is present at first; empty: the first of the site");
   each("state_file", p.state_file, Any{}, "keeps the mission; empty: nothing is kept");
   each("rate_hz", p.rate_hz, Within{5.0, 100.0}, "ticks and commands [Hz]");
   each("valid_for_s", p.valid_for_s, Within{0.02, 0.2}, "life of a command [s]");
@@ -60,6 +64,7 @@ void visit(SupervisorParams & p, Visitor && each)
     "how far a request's stamp may be from the clock, unless time is simulated [s]");
   each("fleet", p.fleet, NonEmpty{}, "name of the fleet in /fleet_states");
   visit(p.climb, each);
+  visit(p.floor, each);
 }
 
 /// Refuses parameters that contradict each other.
@@ -71,6 +76,7 @@ inline void check(const SupervisorParams & p, stetro_config::Faults & faults)
       "more than one period, " + std::to_string(1.0 / p.rate_hz) + " s");
   }
   check(p.climb, faults);
+  check(p.floor, faults);
 }
 
 }  // namespace stetro_supervisor

@@ -20,6 +20,7 @@
 #include "stetro_config/fault.hpp"
 #include "stetro_site/flight.hpp"
 #include "stetro_site/robot.hpp"
+#include "stetro_site/site.hpp"
 #include "stetro_supervisor/supervisor_params.hpp"
 
 namespace stetro_supervisor
@@ -28,13 +29,16 @@ namespace stetro_supervisor
 /// What the supervisor's parameters, the site file and the robot file say together.
 struct SupervisorSetup
 {
-  SupervisorParams params;  ///< with the speeds of the robot file
-  stetro_site::Flight flight;
+  SupervisorParams params;     ///< with the speeds of the robot file
+  stetro_site::Flight flight;  ///< that is present at first
   stetro_site::Robot robot;
+  stetro_site::Site site;
 };
 
 /// Reads both files and chooses the flight, before anything of the middleware is made.
 /**
+ * A flight that is not named is the first of the site: a request names its own.
+ *
  * \return nothing, and every fault of the files, of their fit, of the choice and of what cannot be
  *   climbed in `faults`; one that is there already, for another node read the same files, is not
  *   added again

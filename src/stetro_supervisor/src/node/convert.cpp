@@ -41,6 +41,24 @@ static_assert(kProtectionExceeded == pose_wire::REASON_PROTECTION_EXCEEDED);
 static_assert(kClockJump == pose_wire::REASON_CLOCK_JUMP);
 static_assert(kContactConflict == pose_wire::REASON_CONTACT_CONFLICT);
 static_assert(kSlip == pose_wire::REASON_SLIP);
+static_assert(kSensorCalibration == pose_wire::REASON_SENSOR_CALIBRATION);
+static_assert(kHeadingConflict == pose_wire::REASON_HEADING_CONFLICT);
+static_assert(kOffTread == pose_wire::REASON_OFF_TREAD);
+static_assert(kContactClosure == pose_wire::REASON_CONTACT_CLOSURE);
+
+/// Of (x, y, heading); a metre and a radian where it is unknown.
+Eigen::Matrix3d planar(const geometry_msgs::msg::PoseWithCovariance & pose)
+{
+  constexpr std::size_t kAt[] = {0, 1, 5};
+  Eigen::Matrix3d covariance;
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) {
+      covariance(row, column) = pose.covariance()[6 * kAt[row] + kAt[column]];
+    }
+  }
+  const bool known = covariance.allFinite() && covariance.diagonal().minCoeff() >= 0.0;
+  return known ? covariance : Eigen::Matrix3d::Identity();
+}
 
 /// NaN means unknown on the wire; infinity means nothing there and is refused.
 bool finite_or_unknown(double value) { return !std::isinf(value); }
@@ -237,7 +255,9 @@ std::optional<Refusal> take(
   stair.segment_id = message.segment_id().c_str();
   stair.on_flight = message.segment_kind() == wire::SEGMENT_FLIGHT;
   stair.step = message.step_index();
+  stair.x_m = pose.position().x();
   stair.y_m = pose.position().y();
+  stair.covariance = planar(message.pose());
   stair.heading_rad = finite ? yaw_of(pose.orientation()) : kNan;
   stair.integrity = integrity;
   stair.reasons = message.reasons();

@@ -77,7 +77,7 @@ stetro_msgs::msg::MissionStatus to_message(
     message.answer_reason(answer->reason);
   }
   message.mission(wire_of(status.mission));
-  message.state(to_string(status.state));
+  message.state(status.state_name);
   message.segment_id(status.segment_id);
   message.step(status.step);
   message.step_count(status.step_count);

@@ -24,7 +24,7 @@ constexpr double kRolledStep_m = 0.01;  // the top is found by the roll, so the 
 
 }  // namespace
 
-std::optional<MissionRecord> MissionStore::load(const ClimbGeometry & geometry)
+std::optional<MissionRecord> MissionStore::load(const Journey & journey)
 {
   if (path_.empty()) {
     return std::nullopt;
@@ -34,28 +34,27 @@ std::optional<MissionRecord> MissionStore::load(const ClimbGeometry & geometry)
     if (!record || !record->active) {
       return std::nullopt;
     }
-    const bool fits = record->segment_id == geometry.segment_id && record->step >= 0 &&
-                      record->step <= geometry.steps() &&
-                      record->swept.size() == static_cast<std::size_t>(geometry.steps());
-    if (fits) {
+    trouble_ = journey.misfit(*record);
+    if (trouble_.empty()) {
       return record;
     }
-    trouble_ = "the kept mission is for another flight: '" + record->segment_id + "', not used";
   } catch (const MissionFileError & error) {
     trouble_ = error.what();
   }
   return std::nullopt;
 }
 
-void MissionStore::keep(const Climb & climb)
+void MissionStore::keep(const Journey & journey)
 {
-  const double rolled = climb.record().rolled_m;
-  const bool changed = climb.transition() || std::abs(rolled - kept_rolled_m_) >= kRolledStep_m;
+  const MissionRecord record = journey.record();
+  const double rolled = record.rolled_m;
+  const bool changed =
+    !journey.transition().empty() || std::abs(rolled - kept_rolled_m_) >= kRolledStep_m;
   if (path_.empty() || !changed) {
     return;
   }
   try {
-    save(climb.record(), path_);
+    save(record, path_);
     kept_rolled_m_ = rolled;
     trouble_.clear();
   } catch (const MissionFileError & error) {

@@ -18,7 +18,7 @@
 #include <string>
 #include <utility>
 
-#include "stetro_supervisor/climb.hpp"
+#include "stetro_supervisor/journey.hpp"
 
 namespace stetro_supervisor
 {
@@ -30,11 +30,11 @@ public:
   /// \param path empty: nothing is kept
   explicit MissionStore(std::string path) : path_(std::move(path)) {}
 
-  /// The mission under way when the process ended, if the file fits the flight.
-  std::optional<MissionRecord> load(const ClimbGeometry & geometry);
+  /// The mission under way when the process ended, if the file fits the site.
+  std::optional<MissionRecord> load(const Journey & journey);
 
   /// Writes what a restart must know, when it has changed.
-  void keep(const Climb & climb);
+  void keep(const Journey & journey);
 
   /// Why the file was not used or could not be written; empty if all is well.
   const std::string & trouble() const { return trouble_; }

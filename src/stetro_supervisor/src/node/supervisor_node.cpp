@@ -62,11 +62,10 @@ SupervisorNode::Parts::Parts(
   stetro_dds::Context & context, const stetro_dds::NodeOptions & options,
   const SupervisorSetup & setup)
 : params_(setup.params),
-  flight_(setup.flight),
   robot_name_(setup.robot.name),
   node_(context, options),
-  climb_(params_.climb, make_geometry(flight_, setup.robot.geometry)),
-  mission_(climb_, flight_),
+  journey_(setup.site, setup.robot.geometry, params_.climb, params_.floor, setup.flight.id()),
+  mission_(journey_),
   store_(params_.state_file),
   pose_stamps_(nanoseconds(params_.future_tolerance_s)),
   status_stamps_(nanoseconds(params_.future_tolerance_s), nanoseconds(params_.max_sample_age_s)),
@@ -79,8 +78,12 @@ SupervisorNode::Parts::Parts(
   fleet_(node_.advertise<rmf_fleet_msgs::msg::FleetState>("/fleet_states", qos::kFleetState))
 {
   open_inputs();
-  if (const auto record = store_.load(climb_.geometry())) {
-    climb_.restore(*record);
+  if (journey_.knows_floors()) {
+    floors_ = std::make_unique<FloorTopics>(
+      node_, journey_.site(), nanoseconds(params_.future_tolerance_s), seen_.scan);
+  }
+  if (const auto record = store_.load(journey_)) {
+    journey_.restore(*record);
     node_.log().warn("a mission was under way at step {}: held until resumed", record->step);
   }
   if (!store_.trouble().empty()) {
@@ -154,22 +157,34 @@ std::optional<Refusal> SupervisorNode::Parts::take_pose(
   if (auto refusal = pose_stamps_.judge(time_of(message.header().stamp()), now, reception.writer)) {
     return refusal;
   }
-  const bool here = message.segment_id() == flight_.id().c_str();
-  if (here && message.step_count() != flight_.steps()) {
+  const auto * flight = journey_.site().find_flight(message.segment_id().c_str());
+  if (flight != nullptr && message.step_count() != flight->steps()) {
     return Refusal{
       "wrong_step_count", std::to_string(message.step_count()) + ", accepted: " +
-                            std::to_string(flight_.steps()) + " as in the site file"};
+                            std::to_string(flight->steps()) + " as in the site file"};
   }
   // A latched pose of a localizer that has gone is as old as its stamp says, not as its arrival.
   const Time measured = std::min(now, time_of(message.header().stamp()));
   if (auto refusal = take(message, measured, seen_)) {
     return refusal;
   }
-  const auto & position = message.pose().pose().position();
-  if (here && std::isfinite(position.x()) && std::isfinite(position.z())) {
-    pose_ = stetro_site::Pose{position.x(), position.y(), position.z(), seen_.pose->heading_rad};
-  }
+  keep_pose(message);
   return std::nullopt;
+}
+
+void SupervisorNode::Parts::keep_pose(const stetro_msgs::msg::StairPose & message)
+{
+  const auto & position = message.pose().pose().position();
+  if (!std::isfinite(position.x()) || !std::isfinite(position.z())) {
+    return;
+  }
+  const stetro_site::Pose pose{position.x(), position.y(), position.z(), seen_.pose->heading_rad};
+  const std::string & segment = seen_.pose->segment_id;
+  if (const auto * flight = journey_.site().find_flight(segment)) {
+    pose_in_map_ = flight->T_map_flight().to_map(pose);
+  } else if (const auto * floor = journey_.site().find_floor(segment)) {
+    pose_in_map_ = stetro_site::FrameTransform{floor->pose_in_map}.to_map(pose);
+  }
 }
 
 std::optional<Refusal> SupervisorNode::Parts::take_status(
@@ -238,20 +253,21 @@ void SupervisorNode::Parts::tell_localizer(const stetro_msgs::msg::MissionReques
 
 void SupervisorNode::Parts::tick(Time now)
 {
-  command(climb_.tick(now, seen_), now);
-  store_.keep(climb_);
+  command(journey_.tick(now, seen_), now);
+  store_.keep(journey_);
+  if (floors_ && journey_.check_report()) {
+    floors_->tell(*journey_.check_report());
+  }
   if (const auto settled = mission_.settle()) {
     relocalised_ = settled->accepted ? "taken by the localizer" : settled->reason;
     tell_answer(*settled, now);
   }
-  const auto & transition = climb_.transition();
-  if (transition) {
-    const auto level = transition->to == State::kFault ? spdlog::level::err : spdlog::level::info;
-    node_.log().log(
-      level, "step {}: {} -> {}: {}", climb_.record().step, to_string(transition->from),
-      to_string(transition->to), transition->why);
+  const bool changed = !journey_.transition().empty();
+  if (changed) {
+    const auto severity = journey_.has_fault() ? spdlog::level::err : spdlog::level::info;
+    node_.log().log(severity, "{}", journey_.transition());
   }
-  if (transition || now >= status_due_ || status_due_ > now + kStatusPeriod) {
+  if (changed || now >= status_due_ || status_due_ > now + kStatusPeriod) {
     publish_status(now);
   }
 }
@@ -271,21 +287,31 @@ void SupervisorNode::Parts::publish_status(Time now)
   }
 }
 
+/// The floor that the robot is on, or the one below it on a flight.
+std::string SupervisorNode::Parts::level() const
+{
+  if (seen_.pose && !seen_.pose->on_flight && !seen_.pose->segment_id.empty()) {
+    return seen_.pose->segment_id;
+  }
+  const auto & flight = journey_.flight();
+  const bool above = mission_.status().step == flight.steps();
+  return above ? flight.spec().upper_floor : flight.spec().lower_floor;
+}
+
 void SupervisorNode::Parts::publish_fleet(Time now)
 {
-  if (!pose_) {
+  if (!pose_in_map_) {
     return;
   }
   const MissionStatus status = mission_.status();
-  const bool above = status.step == flight_.steps();
   FleetEntry entry;
   entry.fleet = params_.fleet;
   entry.robot = robot_name_;
   entry.model = "stetro";
-  entry.task_id = climb_.record().request_id;
-  entry.level = above ? flight_.spec().upper_floor : flight_.spec().lower_floor;
+  entry.task_id = journey_.record().request_id;
+  entry.level = level();
   entry.sequence = ++fleet_sequence_;
-  entry.pose_in_map = flight_.T_map_flight().to_map(*pose_);
+  entry.pose_in_map = *pose_in_map_;
   fleet_.publish(to_message(entry, status, now));
 }
 
@@ -293,10 +319,13 @@ void SupervisorNode::Parts::report(stetro_dds::DiagnosticReport & report) const
 {
   using stetro_dds::Health;
   const MissionStatus status = mission_.status();
-  report.value("state", to_string(status.state));
+  report.value("state", status.state_name);
   report.value("step", static_cast<std::int64_t>(status.step));
   report.value("driver restarts", driver_epoch_ - 1);
   report.value("last relocalisation", relocalised_);
+  if (floors_) {
+    floors_->report(report);
+  }
   if (status.mission == MissionState::kFault) {
     report.summarise(Health::kError, std::string(to_string(status.fault)) + ": " + status.detail);
   } else if (status.mission == MissionState::kHeld) {

@@ -22,6 +22,7 @@
 #include <vector>
 
 #include "convert.hpp"
+#include "floor_topics.hpp"
 #include "mission_store.hpp"
 #include "request_guard.hpp"
 #include "stamp_guard.hpp"
@@ -30,7 +31,7 @@
 namespace stetro_supervisor
 {
 
-/// What the node is made of. Handlers convert and keep; the tick alone runs the climb.
+/// What the node is made of. Handlers convert and keep; the tick alone runs the journey.
 class SupervisorNode::Parts
 {
 public:
@@ -54,6 +55,8 @@ private:
   void tell_answer(const MissionAnswer & answer, Time now);
   void tell_localizer(const stetro_msgs::msg::MissionRequest & message);
   void publish_fleet(Time now);
+  void keep_pose(const stetro_msgs::msg::StairPose & message);
+  std::string level() const;
   void report(stetro_dds::DiagnosticReport & report) const;
   void notice_writer(const stetro_dds::Guid & writer);
   std::optional<Refusal> take_pose(
@@ -64,14 +67,14 @@ private:
     const stetro_msgs::msg::MissionRequest & message, const stetro_dds::Reception & reception);
 
   const SupervisorParams params_;
-  const stetro_site::Flight flight_;
   const std::string robot_name_;
   stetro_dds::Node node_;
-  Climb climb_;
+  Journey journey_;
   Mission mission_;
   MissionStore store_;
   Observation seen_;
-  std::optional<stetro_site::Pose> pose_;  ///< base_link in the flight frame
+  std::optional<stetro_site::Pose> pose_in_map_;  ///< of base_link
+  std::unique_ptr<FloorTopics> floors_;           ///< null where no floor is drawn
   StampGuard pose_stamps_;
   StampGuard status_stamps_;
   RequestGuard request_stamps_;

@@ -33,7 +33,12 @@ constexpr double kThroughAWall = 4.0;
 /// A beam off by less than this many gates missed its wall narrowly.
 constexpr double kNearGates = 5.0;
 /// Ranges below this many gates agree with any wall as near, and noise that ends at zero is skew.
+/// The map's range is asked, not the measured one: beams chosen by their noise would all be long.
 constexpr double kTooNear = 2.0;
+/// Neighbouring beams end on one wall of the map if its normals differ by less than this cosine
+/// (6 degrees) and the line between the ends lies in it as well, by its sine.
+constexpr double kOneDirection = 0.995;
+constexpr double kOnePlane = 0.1;
 /// What a beam that ends before a wall takes from the evidence of that wall's direction.
 constexpr double kBeforeAWall = 0.25;
 
@@ -58,6 +63,11 @@ public:
     for (std::size_t i = 0; i < scan_.size(); ++i) {
       to_.outcomes[i] = outcome(i);
     }
+    if (to_.walls.size() > 1 && scan_.closed() && is_one_wall(scan_.size() - 1, 0)) {
+      to_.walls.front().information += to_.walls.back().information;
+      to_.walls.front().pull += to_.walls.back().pull;
+      to_.walls.pop_back();
+    }
     if (to_.agreeing > 0) {
       to_.chi_square /= static_cast<double>(to_.agreeing);
     }
@@ -80,7 +90,7 @@ private:
     const double worth = 1.0 / sharing(i, c, variance);
     const double squares = error * error / variance;
     if (squares <= gate_ * gate_) {
-      if (measured * measured < kTooNear * kTooNear * gate_ * gate_ * variance) {
+      if (model * model < kTooNear * kTooNear * gate_ * gate_ * variance) {
         ++to_.silent;
         return BeamOutcome::kSilent;
       }
@@ -138,8 +148,26 @@ private:
     const double weight = worth / (sigma * sigma + map_sigma * map_sigma);
     const Eigen::Vector3d h(
       n.x(), n.y(), scan_.ranges_m()[i] * perpendicular_dot(n, scan_.directions()[i]));
-    to_.information += weight * h * h.transpose();
-    to_.pull += weight * error * c * h;  // -H' w rho, as n d = -c
+    if (to_.walls.empty() || last_ + 1 != i || !is_one_wall(last_, i)) {
+      to_.walls.emplace_back();
+    }
+    last_ = i;
+    const Eigen::Matrix3d information = weight * h * h.transpose();
+    const Eigen::Vector3d pull = weight * error * c * h;  // -H' w rho, as n d = -c
+    to_.walls.back().information += information;
+    to_.walls.back().pull += pull;
+    to_.information += information;
+    to_.pull += pull;
+  }
+
+  /// Two beams end on one straight wall of the map.
+  bool is_one_wall(std::size_t i, std::size_t j) const
+  {
+    const Eigen::Vector2d & n = view_.normal(i);
+    const Eigen::Vector2d apart =
+      view_.ranges_m()[j] * scan_.directions()[j] - view_.ranges_m()[i] * scan_.directions()[i];
+    return n.dot(view_.normal(j)) > kOneDirection &&
+           std::abs(n.dot(apart)) <= kOnePlane * apart.norm();
   }
 
   void add_doubt(std::size_t i, double worth)
@@ -173,6 +201,7 @@ private:
   const BeamNoise & noise_;
   double gate_;
   BeamComparison & to_;
+  std::size_t last_ = 0;  ///< beam that was evidence
   Eigen::Matrix2d doubting_ = Eigen::Matrix2d::Zero();
 };
 
@@ -183,8 +212,11 @@ void compare_beams(
   BeamComparison & comparison)
 {
   std::vector<BeamOutcome> kept = std::move(comparison.outcomes);
+  std::vector<WallEvidence> walls = std::move(comparison.walls);
+  walls.clear();
   comparison = BeamComparison{};
   comparison.outcomes = std::move(kept);
+  comparison.walls = std::move(walls);
   comparison.outcomes.resize(scan.size());
   Comparer(scan, view, noise, gate, comparison).run();
 }

@@ -23,6 +23,11 @@ namespace stetro_supervisor
 namespace
 {
 
+/// A wall contradicts the others if the place moves without it by more than this many of the
+/// standard deviations that the others leave.
+constexpr double kContradiction = 2.0;
+constexpr double kSmallPart = 0.25;
+
 /// An angle within half a turn of zero.
 double wrapped(double angle_rad) { return std::remainder(angle_rad, 6.283185307179586); }
 
@@ -54,6 +59,33 @@ Eigen::Vector3d prior_pull(const HeadingPrior & prior, double yaw_rad)
   }
   const double variance = prior.sigma_rad * prior.sigma_rad;
   return {0.0, 0.0, wrapped(prior.yaw_rad - yaw_rad) / variance};
+}
+
+/// The covariance that walls which contradict the others ask for, each left out in its turn.
+Eigen::Matrix3d doubt_of_walls(
+  const BeamComparison & comparison, const HeadingPrior & prior, const SettledStep & settled)
+{
+  Eigen::Matrix3d doubt = Eigen::Matrix3d::Zero();
+  for (const WallEvidence & wall : comparison.walls) {
+    // What is left of the wall's pull at the place that all walls agreed upon.
+    const Eigen::Vector3d left = wall.pull - wall.information * settled.step;
+    // A wall with the part p of what is known, at most, leaves others no worse than C / (1 - p).
+    const double part = settled.covariance.cwiseProduct(wall.information).sum();
+    const double moves = left.dot(settled.covariance * left);
+    if (part < kSmallPart && moves < (1.0 - kSmallPart) * kContradiction * kContradiction) {
+      continue;
+    }
+    const auto others = inverse(comparison.information - wall.information, prior);
+    if (!others) {
+      continue;  // nothing else tells of that direction, and nothing contradicts
+    }
+    const Eigen::Vector3d shift = *others * left;
+    // With A the others' information, shift' A shift.
+    if (left.dot(shift) > kContradiction * kContradiction) {
+      doubt += shift * shift.transpose();
+    }
+  }
+  return doubt;
 }
 
 }  // namespace
@@ -115,7 +147,11 @@ std::optional<SettledStep> settled_step(
   if (!covariance) {
     return std::nullopt;
   }
-  return SettledStep{*covariance * (comparison.pull + prior_pull(prior, yaw_rad)), *covariance};
+  SettledStep settled;
+  settled.step = *covariance * (comparison.pull + prior_pull(prior, yaw_rad));
+  settled.covariance = *covariance;
+  settled.doubt = doubt_of_walls(comparison, prior, settled);
+  return settled;
 }
 
 }  // namespace stetro_supervisor

@@ -174,8 +174,8 @@ ExplainedPlace TrustedCentreOfMass::settle(
       return place;
     }
     const double inflation = std::max(1.0, place.beams.chi_square);
-    const Eigen::Matrix3d covariance =
-      inflation * settled->covariance + pull_of_strangers(scans, place.beams, prior);
+    const Eigen::Matrix3d covariance = inflation * settled->covariance + settled->doubt +
+                                       pull_of_strangers(scans, place.beams, prior);
     place.covariance = turned(covariance, place.pose.yaw_rad);
     place.pose = moved(place.pose, settled->step);
     // The comparison was made before the step: good where the step is small beside its own error.

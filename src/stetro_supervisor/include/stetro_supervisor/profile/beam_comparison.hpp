@@ -37,6 +37,13 @@ enum class BeamOutcome : std::uint8_t {
   kSilent    ///< no echo, not valid, nothing on the map either, or too near to tell: says nothing
 };
 
+/// What the agreeing beams on one wall of the map say together, scanner's axes.
+struct WallEvidence
+{
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d pull = Eigen::Vector3d::Zero();
+};
+
 /// A measured profile against the map's from one place, beam by beam.
 struct BeamComparison
 {
@@ -59,6 +66,8 @@ struct BeamComparison
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
   /// Where a Newton step of the agreeing beams leads: right-hand side beside `information`.
   Eigen::Vector3d pull = Eigen::Vector3d::Zero();
+  /// Both, wall by wall.
+  std::vector<WallEvidence> walls;
   /// Share of the agreeing in the evidence of the direction where it is least, 0 to 1.
   double least_direction_share = 0.0;
 

@@ -86,6 +86,9 @@ struct SettledStep
 {
   Eigen::Vector3d step = Eigen::Vector3d::Zero();        ///< scanner's axes (x, y, psi)
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< scanner's axes
+  /// To be added: how far the place would move without each wall that contradicts the others. What
+  /// is not on the map may stand flat before a wall of it, within the gate, and agree.
+  Eigen::Matrix3d doubt = Eigen::Matrix3d::Zero();
 };
 
 /// The maximum-likelihood step of a comparison; nothing if its information is singular.

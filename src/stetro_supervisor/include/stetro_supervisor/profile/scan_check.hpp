@@ -1,0 +1,98 @@
+// Copyright 2026 The sTetro Authors
+//
+// Licensed under the Apache License, Version 2.0 (the "License");
+// you may not use this file except in compliance with the License.
+// You may obtain a copy of the License at
+//
+//     http://www.apache.org/licenses/LICENSE-2.0
+//
+// Unless required by applicable law or agreed to in writing, software
+// distributed under the License is distributed on an "AS IS" BASIS,
+// WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+// See the License for the specific language governing permissions and
+// limitations under the License.
+
+#ifndef STETRO_SUPERVISOR__PROFILE__SCAN_CHECK_HPP_
+#define STETRO_SUPERVISOR__PROFILE__SCAN_CHECK_HPP_
+
+#include <memory>
+
+#include "stetro_site/distance_field.hpp"
+#include "stetro_site/profile_caster.hpp"
+#include "stetro_supervisor/profile/beam_noise.hpp"
+#include "stetro_supervisor/profile/end_matching.hpp"
+#include "stetro_supervisor/profile/profile_finding.hpp"
+#include "stetro_supervisor/profile/trusted_centre_of_mass.hpp"
+#include "stetro_supervisor/profile/usability_layer.hpp"
+
+namespace stetro_supervisor
+{
+
+/// What a place found by the ends of the beams must hold to be believed.
+struct EndTrustParams
+{
+  double on_wall_share = 0.70;  ///< least, of the ends
+  /// Least: what any place elsewhere leaves unexplained, by what the best one does.
+  double rival_ratio = 1.3;
+  double rival_margin = 0.04;  ///< least, of the likelihood, by which the best one is better
+  double map_sigma_m = 0.025;  ///< of the map as a whole, added to the position's covariance
+  double map_sigma_rad = 0.01;
+};
+
+/// How a lidar is checked against the map of a floor that people use.
+struct ScanCheckParams
+{
+  BeamNoise noise;
+  TrustParams trust;
+  DescentParams descent;
+  EndMatchingParams ends;
+  EndTrustParams end_trust;
+  /// A position that the map does not promise this well has a free direction [m].
+  double determined_sigma_m = 0.0125;
+};
+
+/// For a lidar of 12 m on a map of cells, or of drawn walls (`resolution_m` 0).
+/**
+ * TrustParams and DescentParams by themselves are for a map that is exact to its stated error. A
+ * map of cells errs by its cells.
+ */
+[[nodiscard]] ScanCheckParams scan_check_params(double resolution_m);
+
+/// The check of a pose on a floor as it is used: profiles first, then the ends of the beams.
+/**
+ *  1. TrustedCentreOfMass: exact, and sure of itself, where the floor is as it was mapped.
+ *  2. Where its profiles do not compare, as too much has changed, EndMatching: a place where most
+ *     ends lie on walls, clearly better than any other of the area.
+ *  3. What the map says of the place (UsabilityLayer, if there is one): along a direction that no
+ *     wall tells, the covariance is never less than the map's own bound. A scan on a map of cells
+ *     would find one in the steps of its walls.
+ *
+ * Keeps its memory from check to check; for one thread.
+ */
+class ScanCheck
+{
+public:
+  /// \param walls for the ends; null: profiles only \param layer null: not asked
+  ScanCheck(
+    const stetro_site::ProfileCaster & map, FreeSpace is_free,
+    std::shared_ptr<const stetro_site::DistanceField> walls, const ScanCheckParams & params,
+    std::shared_ptr<const UsabilityLayer> layer);
+
+  /// Works out the beams' directions ahead of the first scan.
+  void prepare(const stetro_site::BeamFan & fan) { trusted_.prepare(fan); }
+
+  [[nodiscard]] ProfileFinding check(const RangeProfile & scan, const Belief & belief);
+
+private:
+  void ask_ends(const RangeProfile & scan, const Belief & belief, ProfileFinding & finding) const;
+  void widen(ProfileFinding & finding) const;
+
+  ScanCheckParams params_;
+  TrustedCentreOfMass trusted_;
+  std::unique_ptr<const EndMatching> ends_;
+  std::shared_ptr<const UsabilityLayer> layer_;
+};
+
+}  // namespace stetro_supervisor
+
+#endif  // STETRO_SUPERVISOR__PROFILE__SCAN_CHECK_HPP_

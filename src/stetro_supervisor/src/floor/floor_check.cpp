@@ -1,0 +1,194 @@
+// Copyright 2026 The sTetro Authors
+//
+// Licensed under the Apache License, Version 2.0 (the "License");
+// you may not use this file except in compliance with the License.
+// You may obtain a copy of the License at
+//
+//     http://www.apache.org/licenses/LICENSE-2.0
+//
+// Unless required by applicable law or agreed to in writing, software
+// distributed under the License is distributed on an "AS IS" BASIS,
+// WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+// See the License for the specific language governing permissions and
+// limitations under the License.
+
+#include "stetro_supervisor/floor/floor_check.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "stetro_supervisor/floor/scan_beams.hpp"
+
+namespace stetro_supervisor
+{
+namespace
+{
+
+constexpr double kOldScan_s = 1.0;
+
+}  // namespace
+
+FloorCheck::FloorCheck(
+  const std::vector<const DrawnFloor *> & floors, const stetro_site::Lidar & lidar,
+  const FloorParams & params)
+: lidar_(lidar), params_(params)
+{
+  for (const DrawnFloor * floor : floors) {
+    witnesses_.emplace_back(*floor, lidar, params);
+  }
+}
+
+ProfileWitness * FloorCheck::witness_of(const std::string & floor_id)
+{
+  const auto found = std::find_if(
+    witnesses_.begin(), witnesses_.end(),
+    [&](const ProfileWitness & witness) { return witness.floor().id() == floor_id; });
+  return found != witnesses_.end() ? &*found : nullptr;
+}
+
+void FloorCheck::follow(const Observation & seen, const CheckContext & context)
+{
+  if (seen.odometry) {
+    turning_.take(seen.odometry->time, seen.odometry->yaw_rad);
+  }
+  if (seen.pose && seen.pose->resets != resets_) {
+    resets_ = seen.pose->resets;  // the localizer took another pose: that one is not doubted yet
+    doubts_ = 0;
+    requested_ = true;
+  }
+  if (context.lost) {
+    doubts_ = 0;
+  }
+  if (seen.pose && context.told) {
+    history_.take({seen.pose->time, *context.told, seen.pose->resets});
+  } else {
+    history_.forget();
+  }
+}
+
+bool FloorCheck::is_still_enough(const Scan & scan) const
+{
+  const auto rate = turning_.greatest_rate(scan.time, scan.duration_s);
+  return rate && *rate <= params_.check_turn_rad_s;
+}
+
+void FloorCheck::tick(Time now, const Observation & seen, const CheckContext & context)
+{
+  report_.reset();
+  follow(seen, context);
+  if (search_) {
+    if (const auto answer = search_->step()) {
+      conclude(*answer, context);
+      search_.reset();
+      last_search_ = now;
+    }
+    return;
+  }
+  const auto & scan = seen.scan;
+  const bool fresh = scan && scan->time > last_scan_ && scan->time <= now &&
+                     seconds_between(scan->time, now) <= kOldScan_s;
+  if (!fresh || !is_still_enough(*scan)) {
+    return;
+  }
+  const bool due =
+    context.moving && seconds_between(last_check_, scan->time) >= params_.check_every_s;
+  const auto told = history_.at(scan->time);
+  if (context.told && context.corrigible && told && (requested_ || due)) {
+    compare(*scan, *told);
+    return;
+  }
+  const bool rested =
+    last_search_ == Time{0} || seconds_between(last_search_, scan->time) >= params_.search_pause_s;
+  if ((context.lost || doubts_pose()) && rested) {
+    begin_search(scan, context);
+  }
+}
+
+void FloorCheck::compare(const Scan & scan, const PoseHistory::Told & told)
+{
+  ProfileWitness * witness = witness_of(told.place.floor_id);
+  if (witness == nullptr) {
+    return;
+  }
+  requested_ = false;
+  last_scan_ = last_check_ = scan.time;
+  CheckReport report;
+  report.time = scan.time;
+  report.floor_id = told.place.floor_id;
+  report.told = told.place;
+  report.testimony = witness->about(scan, told.place);
+  const ScanBeams few = beams_of(scan, lidar_, params_);
+  ThreeAnswers answers;
+  answers.told = told.place;
+  answers.profile_verdict = report.testimony.finding.verdict;
+  answers.profile_reason = report.testimony.finding.reason;
+  answers.profile = report.testimony.found;
+  answers.beams_allow_told = beams_allow(witness->floor(), few, told.place);
+  answers.beams_allow_profile =
+    !answers.profile || beams_allow(witness->floor(), few, *answers.profile);
+  const Conclusion conclusion = weigh(answers, params_.agree_sigmas);
+  report.verdict = conclusion.verdict;
+  report.reason = conclusion.reason;
+  if (conclusion.corrects) {
+    report.correction = Correction{scan.time, *answers.profile, told.resets};
+  }
+  doubts_ = conclusion.against_told ? doubts_ + 1 : 0;
+  if (conclusion.against_told) {
+    doubt_ = conclusion.reason;
+    requested_ = !doubts_pose();  // the next scan shall tell, and not the next interval
+  }
+  report_ = std::move(report);
+}
+
+void FloorCheck::begin_search(std::shared_ptr<const Scan> scan, const CheckContext & context)
+{
+  std::vector<ProfileWitness *> asked;
+  const std::string & known = context.told ? context.told->floor_id : context.lost_on;
+  if (ProfileWitness * witness = witness_of(known)) {
+    asked.push_back(witness);
+  } else {
+    for (ProfileWitness & any : witnesses_) {
+      asked.push_back(&any);
+    }
+  }
+  if (asked.empty()) {
+    return;
+  }
+  last_scan_ = scan->time;
+  search_resets_ = resets_;
+  search_.emplace(std::move(asked), std::move(scan), lidar_, params_);
+}
+
+void FloorCheck::conclude(const SearchAnswer & answer, const CheckContext & context)
+{
+  if (resets_ != search_resets_) {
+    return;  // it is about a pose that is gone
+  }
+  CheckReport report;
+  report.time = search_->scan_time();
+  report.floor_id = answer.floor_id;
+  report.searched = true;
+  report.testimony = answer.testimony;
+  report.verdict = answer.verdict;
+  report.reason = answer.reason;
+  const auto told = history_.at(report.time);
+  if (told) {
+    report.told = told->place;
+  }
+  if (answer.found) {
+    report.correction = Correction{report.time, *answer.found, resets_};
+    report.reason = "the only place that explains the scan";
+    if (told && told->place.floor_id == answer.found->floor_id && !context.lost) {
+      ThreeAnswers answers;
+      answers.told = told->place;
+      answers.profile = answer.found;
+      const Conclusion conclusion = weigh(answers, params_.agree_sigmas);
+      report.verdict = conclusion.verdict;
+      doubts_ = conclusion.against_told ? doubts_ : 0;
+    }
+  }
+  requested_ = !context.lost && !answer.found;  // perhaps what disturbed the check has walked on
+  report_ = std::move(report);
+}
+
+}  // namespace stetro_supervisor

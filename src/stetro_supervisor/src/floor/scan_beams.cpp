@@ -1,0 +1,87 @@
+// Copyright 2026 The sTetro Authors
+//
+// Licensed under the Apache License, Version 2.0 (the "License");
+// you may not use this file except in compliance with the License.
+// You may obtain a copy of the License at
+//
+//     http://www.apache.org/licenses/LICENSE-2.0
+//
+// Unless required by applicable law or agreed to in writing, software
+// distributed under the License is distributed on an "AS IS" BASIS,
+// WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+// See the License for the specific language governing permissions and
+// limitations under the License.
+
+#include "stetro_supervisor/floor/scan_beams.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "stetro_supervisor/four_beams/cell_cluster.hpp"
+
+namespace stetro_supervisor
+{
+namespace
+{
+
+constexpr double kTurn_rad = 6.283185307179586;
+constexpr double kShare = 0.03;  // of the range: what a small error of the heading adds at a slant
+
+/// The beam of a scan that points nearest to a direction in the lidar's axes; none if none near.
+std::ptrdiff_t index_towards(const stetro_site::BeamFan & fan, double direction_rad)
+{
+  const double turns = std::remainder(direction_rad - fan.first_rad, kTurn_rad) / fan.step_rad;
+  const double around = std::abs(kTurn_rad / fan.step_rad);
+  const auto index = std::llround(turns < -0.5 ? turns + around : turns);
+  return index >= 0 && index < static_cast<std::ptrdiff_t>(fan.count) ? index : -1;
+}
+
+double median_about(const RangeProfile & profile, std::ptrdiff_t index)
+{
+  std::array<double, 3> ranges_m{};
+  const auto count = static_cast<std::ptrdiff_t>(profile.ranges_m.size());
+  for (std::ptrdiff_t i = 0; i < 3; ++i) {
+    const auto at = static_cast<std::size_t>((index + i - 1 + count) % count);
+    const double range = profile.ranges_m[at];
+    ranges_m[static_cast<std::size_t>(i)] = std::isfinite(range) ? range : HUGE_VAL;
+  }
+  std::sort(ranges_m.begin(), ranges_m.end());
+  return std::isfinite(ranges_m[1]) ? ranges_m[1] : std::nan("");
+}
+
+}  // namespace
+
+ScanBeams beams_of(const Scan & scan, const stetro_site::Lidar & lidar, const FloorParams & params)
+{
+  RangeError error;
+  error.short_m = error.long_m = params.beam_error_m;
+  error.short_share = error.long_share = kShare;
+  error.dependable_m = lidar.max_range_m;
+  error.too_near_m = lidar.min_range_m;
+  ScanBeams few;
+  for (std::size_t i = 0; i < kScanBeams; ++i) {
+    const double yaw_rad = kTurn_rad * static_cast<double>(i) / kScanBeams;
+    const auto index = index_towards(scan.profile.fan, yaw_rad);
+    few.beams.push_back({{lidar.x_m, lidar.y_m}, lidar.yaw_rad + yaw_rad, error});
+    few.ranges_m.push_back(index < 0 ? std::nan("") : median_about(scan.profile, index));
+  }
+  return few;
+}
+
+bool beams_allow(const DrawnFloor & floor, const ScanBeams & beams, const FloorPlace & place)
+{
+  const auto speaking = static_cast<std::size_t>(std::count_if(
+    beams.ranges_m.begin(), beams.ranges_m.end(), [](double r) { return std::isfinite(r); }));
+  if (speaking < kWrongBeams + 2) {
+    return true;
+  }
+  const HeadingSearch search{floor.grid(), beams.beams, place.yaw_rad};
+  const auto answer = search.find(beams.ranges_m, kWrongBeams);
+  const auto own = floor.grid().cell_at(place.position_m);
+  return std::any_of(answer.cells.cells.begin(), answer.cells.cells.end(), [&](const auto & cell) {
+    return std::abs(cell.column - own.column) <= 1 && std::abs(cell.row - own.row) <= 1;
+  });
+}
+
+}  // namespace stetro_supervisor

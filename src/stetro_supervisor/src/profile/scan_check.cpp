@@ -1,0 +1,139 @@
+// Copyright 2026 The sTetro Authors
+//
+// Licensed under the Apache License, Version 2.0 (the "License");
+// you may not use this file except in compliance with the License.
+// You may obtain a copy of the License at
+//
+//     http://www.apache.org/licenses/LICENSE-2.0
+//
+// Unless required by applicable law or agreed to in writing, software
+// distributed under the License is distributed on an "AS IS" BASIS,
+// WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+// See the License for the specific language governing permissions and
+// limitations under the License.
+
+#include "stetro_supervisor/profile/scan_check.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace stetro_supervisor
+{
+namespace
+{
+
+/// Headings are searched this many standard deviations about the believed one.
+constexpr double kYawSigmas = 3.0;
+/// A direction that no wall tells has at least this standard deviation [m].
+constexpr double kFreeSigma = 10.0;
+
+/// Why a check of the profiles may fail at a right place: the floor is not as it was mapped.
+bool is_for_the_ends(NoVerdictReason reason)
+{
+  return reason == NoVerdictReason::kNotExplained || reason == NoVerdictReason::kBeyondTheWalls ||
+         reason == NoVerdictReason::kOneDirection || reason == NoVerdictReason::kNearMisses ||
+         reason == NoVerdictReason::kNoise || reason == NoVerdictReason::kOutOfSearch;
+}
+
+}  // namespace
+
+ScanCheckParams scan_check_params(double resolution_m)
+{
+  ScanCheckParams params;
+  params.noise.range_sigma_m = 0.02;
+  params.noise.map_sigma_m = 0.3 * resolution_m;  // of an even error within a cell, 1 / sqrt(12)
+  params.noise.wall_correlation_m = 0.5;
+  params.descent.reach_m = 12.0;
+  params.descent.wall_baseline_m = 6.0 * resolution_m;
+  return params;
+}
+
+ScanCheck::ScanCheck(
+  const stetro_site::ProfileCaster & map, FreeSpace is_free,
+  std::shared_ptr<const stetro_site::DistanceField> walls, const ScanCheckParams & params,
+  std::shared_ptr<const UsabilityLayer> layer)
+: params_(params),
+  trusted_(map, std::move(is_free), params.noise, params.trust, params.descent),
+  ends_(walls ? std::make_unique<const EndMatching>(std::move(walls), params.ends) : nullptr),
+  layer_(std::move(layer))
+{
+}
+
+ProfileFinding ScanCheck::check(const RangeProfile & scan, const Belief & belief)
+{
+  ProfileFinding finding = trusted_.check(scan, belief);
+  if (ends_ && finding.verdict == Verdict::kNoVerdict && is_for_the_ends(finding.reason)) {
+    ask_ends(scan, belief, finding);
+  }
+  if (layer_ && finding.verdict != Verdict::kNoVerdict) {
+    widen(finding);
+  }
+  return finding;
+}
+
+void ScanCheck::ask_ends(
+  const RangeProfile & scan, const Belief & belief, ProfileFinding & finding) const
+{
+  SearchArea area = belief.area;
+  area.yaw_half_width_rad = std::max(area.yaw_half_width_rad, kYawSigmas * belief.yaw_sigma_rad);
+  const auto matches = ends_->matches(Beams(scan), area, params_.descent.reach_m);
+  const EndTrustParams & trust = params_.end_trust;
+  if (matches.empty() || matches[0].on_wall_share < trust.on_wall_share) {
+    return;  // the profiles' reason stands
+  }
+  const EndMatch & best = matches[0];
+  finding.by_ends = true;
+  finding.best.pose = best.pose;
+  finding.expected.reset();  // of profiles that do not compare
+  finding.measured.reset();
+  for (std::size_t i = 1; i < matches.size(); ++i) {
+    const double unexplained = 1.0 - matches[i].likelihood;
+    if (
+      unexplained < trust.rival_ratio * (1.0 - best.likelihood) ||
+      best.likelihood - matches[i].likelihood < trust.rival_margin) {
+      finding.reason = NoVerdictReason::kRival;
+      return;
+    }
+  }
+  const double map_m2 = trust.map_sigma_m * trust.map_sigma_m;
+  const Eigen::Vector3d of_the_map(map_m2, map_m2, trust.map_sigma_rad * trust.map_sigma_rad);
+  const Eigen::Matrix3d stiff = 1e-6 * Eigen::Matrix3d::Identity();
+  finding.best.covariance = (best.information + stiff).inverse();
+  finding.best.covariance.diagonal() += of_the_map;
+  const double moved_m = (best.pose.position_m - belief.area.around.position_m).norm();
+  if (moved_m > belief.area.radius_m) {
+    finding.reason = NoVerdictReason::kOutOfSearch;
+    return;
+  }
+  if (largest_sigma_m(finding.best.covariance) > params_.trust.largest_sigma_m) {
+    finding.reason = NoVerdictReason::kDirectionFree;
+    return;
+  }
+  finding.reason = finding.best.refused = NoVerdictReason::kNone;
+  finding.verdict =
+    moved_m <= params_.descent.agrees_within_m ? Verdict::kAgrees : Verdict::kCorrected;
+}
+
+void ScanCheck::widen(ProfileFinding & finding) const
+{
+  const Usability * place = layer_->at(finding.best.pose.position_m);
+  if (place == nullptr) {
+    return;
+  }
+  finding.spectral_radius = place->spectral_radius;
+  if (place->worst_sigma_m <= params_.determined_sigma_m) {
+    return;
+  }
+  const Eigen::Vector2d & u = place->worst_direction;
+  auto position = finding.best.covariance.topLeftCorner<2, 2>();
+  const double known = u.dot(position * u);
+  const double sigma = std::min(place->worst_sigma_m, kFreeSigma);
+  if (sigma * sigma > known) {
+    position += (sigma * sigma - known) * u * u.transpose();
+  }
+}
+
+}  // namespace stetro_supervisor

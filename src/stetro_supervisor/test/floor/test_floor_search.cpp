@@ -1,0 +1,188 @@
+// Copyright 2026 The sTetro Authors
+//
+// Licensed under the Apache License, Version 2.0 (the "License");
+// you may not use this file except in compliance with the License.
+// You may obtain a copy of the License at
+//
+//     http://www.apache.org/licenses/LICENSE-2.0
+//
+// Unless required by applicable law or agreed to in writing, software
+// distributed under the License is distributed on an "AS IS" BASIS,
+// WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+// See the License for the specific language governing permissions and
+// limitations under the License.
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <iostream>
+#include <memory>
+#include <random>
+#include <variant>
+
+#include "stetro_site/frame_transform.hpp"
+#include "stetro_site/wall_segments.hpp"
+#include "stetro_supervisor/floor/floor_search.hpp"
+#include "support/two_floors.hpp"
+#include "support/wall_caster.hpp"
+
+namespace stetro_supervisor
+{
+namespace
+{
+
+using stetro_site::wrap_angle;
+
+constexpr double kPi = 3.14159265358979312;
+
+}  // namespace
+
+class FloorSearchTest : public testing::Test
+{
+protected:
+  FloorSearchTest()
+  {
+    lidar.x_m = 0.05;
+    lidar.yaw_rad = 0.3;
+    for (const char * id : {"ground", "landing", "first"}) {
+      floors.push_back(std::make_unique<DrawnFloor>(site, id, params.resolution_m));
+      witnesses.emplace_back(*floors.back(), lidar, params);
+    }
+  }
+
+  std::shared_ptr<const Scan> scan_at(
+    std::size_t floor, const FloorPlace & place,
+    const std::vector<stetro_site::Segment> & more = {})
+  {
+    auto walls = stetro_site::wall_segments(
+      std::get<stetro_site::PolygonWalls>(floors[floor]->floor().drawing));
+    walls.insert(walls.end(), more.begin(), more.end());
+    const ScannerPose at = scanner_at(place, lidar);
+    auto scan = std::make_shared<Scan>();
+    scan->profile.fan = {-kPi, 2.0 * kPi / 360.0, 360};
+    auto fan = scan->profile.fan;
+    fan.first_rad += at.yaw_rad;
+    WallCaster{walls}.cast(at.position_m, fan, 12.0, scan->profile.ranges_m);
+    std::normal_distribution<double> noise{0.0, 0.01};
+    std::bernoulli_distribution drops{0.03};
+    for (double & range : scan->profile.ranges_m) {
+      range = drops(random) ? HUGE_VAL : range + noise(random);
+    }
+    return scan;
+  }
+
+  SearchAnswer search(const std::shared_ptr<const Scan> & scan, std::vector<ProfileWitness *> asked)
+  {
+    FloorSearch search{std::move(asked), scan, lidar, params};
+    for (int i = 0; i < 1000; ++i) {
+      const auto began = std::chrono::steady_clock::now();
+      const auto answer = search.step();
+      longest_s = std::max(
+        longest_s, std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count());
+      steps = i;
+      if (answer) {
+        return *answer;
+      }
+    }
+    return {};
+  }
+
+  std::vector<ProfileWitness *> all()
+  {
+    std::vector<ProfileWitness *> asked;
+    for (auto & witness : witnesses) {
+      asked.push_back(&witness);
+    }
+    return asked;
+  }
+
+  const stetro_site::Site site = two_floors(16, 8);
+  stetro_site::Lidar lidar;
+  FloorParams params;
+  std::vector<std::unique_ptr<DrawnFloor>> floors;
+  std::vector<ProfileWitness> witnesses;
+  std::mt19937 random{20260303};
+  double longest_s = 0.0;
+  int steps = 0;
+};
+
+TEST_F(FloorSearchTest, FindsTheFloorThePlaceAndTheHeading)
+{
+  const FloorPlace truth{"landing", {11.2, 1.3}, 2.1, Eigen::Matrix3d::Zero()};
+  const auto answer = search(scan_at(1, truth), all());
+  ASSERT_TRUE(answer.found) << answer.reason;
+  EXPECT_EQ(answer.found->floor_id, "landing");
+  EXPECT_LT((answer.found->position_m - truth.position_m).norm(), 0.02);
+  EXPECT_NEAR(wrap_angle(answer.found->yaw_rad - truth.yaw_rad), 0.0, 0.01);
+  std::cout << steps << " steps, the longest " << 1e3 * longest_s << " ms\n";
+}
+
+// Property: wherever the robot stands on a floor that it knows, the answer is right or none.
+TEST_F(FloorSearchTest, IsNeverWrongOnRandomPlaces)
+{
+  std::uniform_real_distribution<double> x{0.4, 4.6};
+  std::uniform_real_distribution<double> y{0.4, 3.6};
+  std::uniform_real_distribution<double> yaw{-kPi, kPi};
+  int found = 0;
+  int tried = 0;
+  while (tried < 12) {
+    const FloorPlace truth{"ground", {x(random), y(random)}, yaw(random), Eigen::Matrix3d::Zero()};
+    if (floors[0]->free_space().clearance_m(truth.position_m) < 0.3) {
+      continue;
+    }
+    ++tried;
+    const auto answer = search(scan_at(0, truth), {&witnesses[0]});
+    if (answer.found) {
+      ++found;
+      EXPECT_LT((answer.found->position_m - truth.position_m).norm(), 0.03) << tried;
+      EXPECT_NEAR(wrap_angle(answer.found->yaw_rad - truth.yaw_rad), 0.0, 0.02) << tried;
+    } else {
+      std::cout << tried << ": " << answer.reason << "\n";
+    }
+  }
+  EXPECT_GE(found, 11);
+}
+
+TEST_F(FloorSearchTest, BearsPeopleAndABox)
+{
+  const FloorPlace truth{"ground", {1.5, 2.4}, -0.7, Eigen::Matrix3d::Zero()};
+  auto strangers = rectangle({3.4, 2.6}, {3.8, 3.0});
+  for (const auto & leg :
+       {rectangle({1.0, 1.4}, {1.12, 1.52}), rectangle({1.2, 1.4}, {1.32, 1.5})}) {
+    strangers.insert(strangers.end(), leg.begin(), leg.end());
+  }
+  const auto answer = search(scan_at(0, truth, strangers), {&witnesses[0]});
+  ASSERT_TRUE(answer.found) << answer.reason;
+  EXPECT_LT((answer.found->position_m - truth.position_m).norm(), 0.03);
+}
+
+TEST_F(FloorSearchTest, SaysNothingOfAScanFromAnotherFloor)
+{
+  const FloorPlace truth{"landing", {11.2, 1.3}, 2.1, Eigen::Matrix3d::Zero()};
+  const auto answer = search(scan_at(1, truth), {&witnesses[0]});
+  EXPECT_FALSE(answer.found);
+  EXPECT_EQ(answer.verdict, Verdict::kNoVerdict);
+  EXPECT_FALSE(answer.reason.empty());
+}
+
+// A square room looks the same from four places.
+TEST_F(FloorSearchTest, IsAmbiguousInASquareRoom)
+{
+  stetro_site::SiteSpec spec;
+  spec.name = "square";
+  spec.floors.push_back(
+    {"square",
+     {},
+     stetro_site::PolygonWalls{{{0.0, 0.0}, {4.0, 0.0}, {4.0, 4.0}, {0.0, 4.0}}, {}}});
+  const stetro_site::Site square{spec};
+  floors[0] = std::make_unique<DrawnFloor>(square, "square", params.resolution_m);
+  ProfileWitness witness{*floors[0], lidar, params};
+  const FloorPlace truth{"square", {1.0, 1.4}, 0.4, Eigen::Matrix3d::Zero()};
+  const auto answer = search(scan_at(0, truth), {&witness});
+  EXPECT_EQ(answer.verdict, Verdict::kAmbiguous) << answer.reason;
+  EXPECT_EQ(answer.alternatives.size(), 3u);
+  EXPECT_FALSE(answer.found);
+}
+
+}  // namespace stetro_supervisor
