@@ -14,6 +14,8 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+
 #include "accuracy/options.hpp"
 
 namespace stetro_bringup
@@ -40,6 +42,22 @@ TEST(AccuracyOptions, TheCommandHoldsWhatChangesTheFigures)
     command_of(options),
     "scripts/accuracy --runs 20 --first-seed 1 --estimator both --world as-built "
     "--calibration none --faults dead,stuck --flight stairs");
+}
+
+// -3 would wrap around to 18446744073709551613, and the seeds after it to 0.
+TEST(AccuracyOptions, ASeedIsNotNegativeAndLeavesRoomForTheRuns)
+{
+  const auto first_seed = [](const std::string & text) {
+    CLI::App app;
+    AccuracyOptions options;
+    add_options(app, options);
+    app.parse("--first-seed " + text);
+    return options.first_seed;
+  };
+  EXPECT_EQ(first_seed("0"), 0u);
+  EXPECT_EQ(first_seed("1000000000000000000"), 1'000'000'000'000'000'000u);
+  EXPECT_THROW(first_seed("-3"), CLI::ValidationError);
+  EXPECT_THROW(first_seed("1000000000000000001"), CLI::ValidationError);
 }
 
 TEST(AccuracyOptions, OfBothTheFusedOneDrives)

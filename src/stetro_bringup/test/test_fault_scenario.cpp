@@ -14,7 +14,9 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
 #include <stdexcept>
+#include <string>
 
 #include "accuracy/fault_scenario.hpp"
 #include "stetro_driver/sim_faults.hpp"
@@ -49,6 +51,21 @@ TEST(FaultScenario, TheSeedDecides)
   EXPECT_NE(draw_faults("stuck", 7, kSteps).text, draw_faults("stuck", 8, kSteps).text);
   EXPECT_NE(draw_faults("stuck", 7, kSteps).onset->at_s, draw_faults("dead", 7, kSteps).onset->at_s)
     << "scenarios do not strike at one time";
+}
+
+// Eight range sensors, the gyroscope, six bumpers and two riser switches.
+TEST(FaultScenario, DeadAndStuckStrikeEveryDevice)
+{
+  for (const std::string name : {"dead", "stuck"}) {
+    std::set<std::string> struck;
+    for (std::uint64_t seed = 1; seed <= 500; ++seed) {
+      const DrawnFaults drawn = draw_faults(name, seed, kSteps);
+      struck.insert(stetro_driver::parse_sim_faults(drawn.text).front().device);
+    }
+    EXPECT_EQ(struck.size(), 17u) << name;
+  }
+  EXPECT_EQ(draw_faults("stuck:block1_down@1", 1, 1).onset->telling, TellingMotion::kBlock1Rises);
+  EXPECT_EQ(draw_faults("dead:block1_down@1", 1, 1).onset->telling, TellingMotion::kAny);
 }
 
 // A half of the treads, four kinds: over 100 climbs of 16 steps 200 of each are expected.

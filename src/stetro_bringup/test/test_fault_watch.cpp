@@ -52,6 +52,16 @@ public:
     return *this;
   }
 
+  /// Ticks in which a block rises by so much each. [m]
+  Struck & raise(std::size_t block, int count, double up_m)
+  {
+    for (int i = 0; i < count; ++i) {
+      moment_.truth.block_heights_m[block] += up_m;
+      tick(1, Integrity::kOk);
+    }
+    return *this;
+  }
+
   FaultWatch watch;
 
 private:
@@ -99,6 +109,33 @@ TEST(FaultWatch, ASideSensorTellsNothingOfAWallOutOfReach)
     climb.tick(1366, Integrity::kOk, 0.0, 1.5e-3);
     EXPECT_NEAR(climb.watch.detection().telling_motion_s, 8.0, 0.011);
   }
+}
+
+// Up by 18 cm at 6 cm a second, 3 s: a down sensor tells in the last 13 cm of it, block3_front in
+// the last 5.
+TEST(FaultWatch, ALiftTellsOfTheSensorsBelow)
+{
+  const auto telling_s = [](TellingMotion telling, std::size_t block) {
+    Struck climb(telling);
+    climb.tick(100, Integrity::kOk).raise(block, 300, 6e-4).tick(100, Integrity::kOk);
+    climb.raise(block, 300, -6e-4);
+    return climb.watch.detection().telling_motion_s;
+  };
+  EXPECT_NEAR(telling_s(TellingMotion::kBlock1Rises, 0), 2.17, 0.011);
+  EXPECT_NEAR(telling_s(TellingMotion::kBlock2Rises, 1), 2.17, 0.011);
+  EXPECT_NEAR(telling_s(TellingMotion::kBlock2Clears, 1), 0.84, 0.011);
+  EXPECT_EQ(telling_s(TellingMotion::kBlock2Rises, 0), 0.0);
+}
+
+TEST(FaultWatch, SwitchesTellWhereTheyTouch)
+{
+  const auto telling_s = [](TellingMotion telling) {
+    Struck climb(telling);
+    climb.tick(1366, Integrity::kOk, 0.0, 1.5e-3);  // from wall to wall: the last one to 2.049 m
+    return climb.watch.detection().telling_motion_s;
+  };
+  EXPECT_NEAR(telling_s(TellingMotion::kAtLeftWall), 0.9, 0.02) << "the last 13.5 cm";
+  EXPECT_NEAR(telling_s(TellingMotion::kAtRightWall), 0.89, 0.02);
 }
 
 // A hundred times 0.01 is not 1 when it is added up.

@@ -85,7 +85,8 @@ ClosedLoop::ClosedLoop(
   const std::vector<std::string> & estimators)
 : setup_(setup),
   robot_(
-    stetro_driver::shape_of(setup.driver.flight), stetro_driver::shape_of(setup.driver.robot), sim),
+    stetro_driver::shape_of(setup.driver.flight()), stetro_driver::shape_of(setup.driver.robot),
+    sim),
   gate_(stetro_driver::gate_limits(setup.driver.params)),
   climb_(
     setup.supervisor.params.climb,

@@ -25,7 +25,7 @@
 #include "accuracy/truth_ring.hpp"
 #include "stetro_driver/command_gate.hpp"
 #include "stetro_driver/sim_robot.hpp"
-#include "stetro_localizer/estimator.hpp"
+#include "stetro_localizer/segment_estimator.hpp"
 #include "stetro_supervisor/mission.hpp"
 
 namespace stetro_bringup

@@ -24,6 +24,12 @@ enum class TellingMotion {
   kNearRightWall,  ///< the same on the right
   kAlong,          ///< up the stairs or turning: what the front sensors see
   kTurning,        ///< what the gyroscope feels
+  kBlock1Rises,    ///< block 1 rises, 5 cm up already: what block1_down sees
+  kBlock2Rises,    ///< block 2: block2_down
+  kBlock2Clears,   ///< block 2 rises, 13 cm up already: block3_front sees what is behind it
+  kAtLeftWall,     ///< along the tread, less than 2 cm from touching the left wall: its bumpers
+  kAtRightWall,    ///< the same on the right
+  kAtRiser,        ///< up the stairs, block 2 less than 2 cm from the riser: the riser switches
   kAny,
 };
 

@@ -59,16 +59,29 @@ private:
 struct Device
 {
   const char * name;
-  TellingMotion telling;
+  TellingMotion dead;  ///< what tells that it is dead
+  TellingMotion any;   ///< and any other fault
 };
-constexpr std::array<Device, 5> kDevices{{
-  {"side_left", TellingMotion::kNearLeftWall},
-  {"side_right", TellingMotion::kNearRightWall},
-  {"front_left", TellingMotion::kAlong},
-  {"front_right", TellingMotion::kAlong},
-  {"gyro", TellingMotion::kTurning},
+constexpr std::array<Device, 17> kDevices{{
+  {"side_left", TellingMotion::kNearLeftWall, TellingMotion::kNearLeftWall},
+  {"side_right", TellingMotion::kNearRightWall, TellingMotion::kNearRightWall},
+  {"front_left", TellingMotion::kAlong, TellingMotion::kAlong},
+  {"front_right", TellingMotion::kAlong, TellingMotion::kAlong},
+  {"stair_front", TellingMotion::kAny, TellingMotion::kAlong},
+  {"block1_down", TellingMotion::kAny, TellingMotion::kBlock1Rises},
+  {"block2_down", TellingMotion::kAny, TellingMotion::kBlock2Rises},
+  {"block3_front", TellingMotion::kAny, TellingMotion::kBlock2Clears},
+  {"gyro", TellingMotion::kTurning, TellingMotion::kTurning},
+  {"left_front", TellingMotion::kAny, TellingMotion::kAtLeftWall},
+  {"left_middle", TellingMotion::kAny, TellingMotion::kAtLeftWall},
+  {"left_rear", TellingMotion::kAny, TellingMotion::kAtLeftWall},
+  {"right_front", TellingMotion::kAny, TellingMotion::kAtRightWall},
+  {"right_middle", TellingMotion::kAny, TellingMotion::kAtRightWall},
+  {"right_rear", TellingMotion::kAny, TellingMotion::kAtRightWall},
+  {"riser_left", TellingMotion::kAny, TellingMotion::kAtRiser},
+  {"riser_right", TellingMotion::kAny, TellingMotion::kAtRiser},
 }};
-constexpr std::size_t kRangeDevices = 4;  // the first ones
+constexpr std::size_t kCorrecting = 4;  // the first ones: ranges that the estimate stands on
 
 std::string at(const std::string & head, double from_s)
 {
@@ -84,18 +97,24 @@ std::string at(const std::string & head, double from_s, double value)
   return at(head, from_s) + text.data();
 }
 
+TellingMotion telling_of(const Device & device, bool dead)
+{
+  return dead ? device.dead : device.any;
+}
+
 DrawnFaults at_a_range(
   Draw & draw, const std::string & kind, double from_s, std::optional<double> value)
 {
-  const Device & device = kDevices[draw.below(kRangeDevices)];
+  const Device & device = kDevices[draw.below(kCorrecting)];
   const std::string head = kind + ":" + device.name;
-  return {value ? at(head, from_s, *value) : at(head, from_s), FaultOnset{from_s, device.telling}};
+  return {value ? at(head, from_s, *value) : at(head, from_s), FaultOnset{from_s, device.any}};
 }
 
 DrawnFaults at_any_device(Draw & draw, const std::string & kind, double from_s)
 {
   const Device & device = kDevices[draw.below(kDevices.size())];
-  return {at(kind + ":" + device.name, from_s), FaultOnset{from_s, device.telling}};
+  return {
+    at(kind + ":" + device.name, from_s), FaultOnset{from_s, telling_of(device, kind == "dead")}};
 }
 
 DrawnFaults on_the_steps(Draw & draw, int steps)
@@ -122,10 +141,11 @@ DrawnFaults as_written(const std::string & text)
   const auto device = std::find_if(kDevices.begin(), kDevices.end(), [&](const Device & d) {
     return d.name == faults.front().device;
   });
+  const bool dead = faults.front().kind == stetro_driver::SimFaultKind::kDead;
   return {
-    text,
-    FaultOnset{
-      faults.front().from_s, device != kDevices.end() ? device->telling : TellingMotion::kAny}};
+    text, FaultOnset{
+            faults.front().from_s,
+            device != kDevices.end() ? telling_of(*device, dead) : TellingMotion::kAny}};
 }
 
 [[noreturn]] void refuse(const std::string & name)

@@ -34,7 +34,7 @@ struct DrawnFaults
 
 /// What goes wrong in one scenario, drawn for one seed: which sensor, when, which way.
 /**
- *   dead, stuck     one of the side and front sensors, or the gyroscope
+ *   dead, stuck     any device: a range sensor, the gyroscope, a bumper or a riser switch
  *   spike           one reading in five of a side or front sensor is far off
  *   offset_jump     a side or front sensor reads 5 cm too long, or too short
  *   gain_change     one reads 10 % too long, or too short

@@ -15,6 +15,7 @@
 #ifndef ACCURACY__FAULT_WATCH_HPP_
 #define ACCURACY__FAULT_WATCH_HPP_
 
+#include <array>
 #include <cstdint>
 #include <optional>
 
@@ -53,6 +54,7 @@ public:
 
 private:
   void count(const Moment & now);
+  void note_rise(const stetro_driver::GroundTruth & now);
 
   FaultOnset onset_;
   Detection detection_;
@@ -61,6 +63,7 @@ private:
   std::uint64_t moving_ticks_ = 0;
   std::uint64_t telling_ticks_ = 0;
   std::optional<stetro_driver::GroundTruth> last_truth_;
+  std::array<double, stetro_driver::kBlocks> rose_from_m_{};  ///< heights at rest, before a lift
 };
 
 }  // namespace stetro_bringup

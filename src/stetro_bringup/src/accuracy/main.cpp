@@ -31,7 +31,7 @@
 #include "accuracy/plot_tables.hpp"
 #include "accuracy/progress.hpp"
 #include "demo/child_process.hpp"
-#include "demo/demo_options.hpp"
+#include "installation.hpp"
 #include "stetro_config/fault.hpp"
 
 namespace stetro_bringup

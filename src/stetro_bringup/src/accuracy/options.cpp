@@ -16,6 +16,12 @@
 
 namespace stetro_bringup
 {
+namespace
+{
+
+constexpr std::int64_t kLastSeed = 1'000'000'000'000'000'000;  // with a million runs on top
+
+}  // namespace
 
 void add_options(CLI::App & app, AccuracyOptions & options)
 {
@@ -23,6 +29,7 @@ void add_options(CLI::App & app, AccuracyOptions & options)
     ->check(CLI::Range(1, 1'000'000))
     ->capture_default_str();
   app.add_option("--first-seed", options.first_seed, "the climbs' seeds rise from it by one")
+    ->check(CLI::Range(std::int64_t{0}, kLastSeed))  // of a signed type: -3 must not wrap around
     ->capture_default_str();
   app
     .add_option(

@@ -32,7 +32,7 @@ struct RobotSetup
   stetro_localizer::LocalizerSetup localizer;
   stetro_supervisor::SupervisorSetup supervisor;
 
-  /// What the software believes; the world is made from driver.flight, the same by default.
+  /// What the software believes; the world is made from driver.flight(), the same by default.
   [[nodiscard]] const stetro_site::Flight & flight() const { return localizer.flight; }
 };
 

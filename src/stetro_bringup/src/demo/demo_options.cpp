@@ -21,6 +21,8 @@
 #include <system_error>
 #include <variant>
 
+#include "installation.hpp"
+
 namespace stetro_bringup
 {
 namespace
@@ -38,14 +40,7 @@ std::string number(double value)
 
 // colcon installs each package into <install>/<package>, or all into one with --merge-install;
 // either way this program is <prefix>/bin/stetro_demo.
-std::filesystem::path prefix()
-{
-  return std::filesystem::canonical("/proc/self/exe").parent_path().parent_path();
-}
-
 // At twenty times real time a sample easily overtakes the /clock message before it by some ticks.
-std::filesystem::path shipped_folder() { return prefix() / "share" / "stetro_bringup" / "config"; }
-
 constexpr const char * kFutureTolerance_s = "0.1";
 
 NodeSettings common(const DemoOptions & options, const Task & task)
@@ -196,28 +191,6 @@ NodeSettings supervisor_settings(const DemoOptions & options, const Task & task)
                      {"future_tolerance_s", kFutureTolerance_s},
                      {"state_file", quoted(options.out + "/supervisor.state")}});
   return settings;
-}
-
-std::string shipped_file(const std::string & name)
-{
-  const auto file = shipped_folder() / name;
-  if (!std::filesystem::exists(file)) {
-    throw std::runtime_error("the installation is incomplete: " + file.string() + " is missing");
-  }
-  return file.string();
-}
-
-std::string shipped_program(const std::string & name)
-{
-  const auto merged = prefix() / "bin" / name;
-  const auto isolated = prefix().parent_path() / name / "bin" / name;
-  for (const auto & program : {merged, isolated}) {
-    if (std::filesystem::exists(program)) {
-      return program.string();
-    }
-  }
-  throw std::runtime_error(
-    "the installation is incomplete: neither " + merged.string() + " nor " + isolated.string());
 }
 
 void start_afresh(const DemoOptions & options)

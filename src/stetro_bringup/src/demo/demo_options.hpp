@@ -72,14 +72,6 @@ using NodeSettings = std::vector<std::pair<std::string, std::string>>;
 /** \throws std::runtime_error if it is neither, naming the shipped ones */
 [[nodiscard]] std::string site_file(const std::string & path_or_name);
 
-/// The shipped file `name` of share/stetro_bringup/config, such as "site/papers_staircase.yaml".
-/** \throws std::runtime_error if the installation has no such file */
-[[nodiscard]] std::string shipped_file(const std::string & name);
-
-/// The installed program `name`: beside this one, or in the package of its name next to ours.
-/** \throws std::runtime_error if the installation has none */
-[[nodiscard]] std::string shipped_program(const std::string & name);
-
 /// Makes the folder of the results and removes what an earlier climb left of its state.
 void start_afresh(const DemoOptions & options);
 

@@ -22,6 +22,7 @@
 #include <vector>
 
 #include "child_process.hpp"
+#include "installation.hpp"
 
 namespace stetro_bringup
 {

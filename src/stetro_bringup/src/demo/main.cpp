@@ -26,6 +26,7 @@
 #include "child_process.hpp"
 #include "demo_options.hpp"
 #include "demo_run.hpp"
+#include "installation.hpp"
 #include "stetro_bringup/robot.hpp"
 #include "stetro_site/fit.hpp"
 

@@ -15,6 +15,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdint>
 #include <exception>
 #include <filesystem>
@@ -22,10 +23,18 @@
 #include <iostream>
 #include <stdexcept>
 #include <string>
+#include <thread>
+#include <utility>
 #include <vector>
 
 #include "CLI/CLI.hpp"
+#include "demo/child_process.hpp"
+#include "installation.hpp"
+#include "profiles/logs_suite.hpp"
+#include "profiles/maps_suite.hpp"
+#include "profiles/profile_pictures.hpp"
 #include "profiles/profiles_json.hpp"
+#include "profiles/profiles_table.hpp"
 #include "profiles/rooms_suite.hpp"
 
 namespace stetro_bringup
@@ -33,35 +42,137 @@ namespace stetro_bringup
 namespace
 {
 
+using std::chrono_literals::operator""ms;
+
+const std::vector<std::string> kTables{
+  "rooms",      "rooms_noisy", "rooms_unmapped", "rooms_heading_unknown",
+  "rooms_even", "real_maps",   "real_logs"};
+
 struct ProfilesOptions
 {
-  std::size_t rooms = 2000;  ///< cases of each table
+  std::size_t rooms = 2000;  ///< cases of each table of rooms
+  std::size_t poses = 1000;  ///< cases on each map
   std::uint64_t seed = 1;
   std::vector<std::string> tables;  ///< names; none: all
+  std::string recorded;             ///< folder of the recordings; empty: no real maps, no logs
   std::string out = "out/profiles";
+  bool no_plots = false;
 };
 
-void add_options(CLI::App & app, ProfilesOptions & options)
+void declare_options(CLI::App & app, ProfilesOptions & options)
 {
-  app.add_option("--rooms", options.rooms, "cases of each table")
+  app.add_option("--rooms", options.rooms, "cases of each table of rooms")
     ->check(CLI::Range(1, 1'000'000))
     ->capture_default_str();
-  app.add_option("--seed", options.seed, "the rooms are drawn from it")->capture_default_str();
+  app.add_option("--poses", options.poses, "cases on each recorded map")
+    ->check(CLI::Range(1, 1'000'000))
+    ->capture_default_str();
+  app.add_option("--seed", options.seed, "all that is drawn is drawn from it")
+    ->capture_default_str();
   app
     .add_option(
       "--tables", options.tables,
-      "which: rooms, rooms_noisy, rooms_unmapped, rooms_heading_unknown, rooms_even; all if not "
-      "given")
+      "which: rooms, rooms_noisy, rooms_unmapped, rooms_heading_unknown, rooms_even, real_maps, "
+      "real_logs; all if not given")
     ->delimiter(',')
-    ->check(CLI::IsMember(
-      {"rooms", "rooms_noisy", "rooms_unmapped", "rooms_heading_unknown", "rooms_even"}));
+    ->check(CLI::IsMember(kTables));
+  app.add_option(
+    "--recorded", options.recorded,
+    "folder of the recorded maps and scans; without it real_maps and real_logs are left out");
   app.add_option("--out", options.out, "folder of the results")->capture_default_str();
+  app.add_flag("--no-plots", options.no_plots, "tables for the pictures, but no pictures");
 }
 
 bool is_asked(const ProfilesOptions & options, const std::string & name)
 {
   const auto & asked = options.tables;
   return asked.empty() || std::find(asked.begin(), asked.end(), name) != asked.end();
+}
+
+/// Says how far a table is, on a terminal.
+class Ticker
+{
+public:
+  explicit Ticker(std::string name) : name_(std::move(name)), terminal_(isatty(STDOUT_FILENO) == 1)
+  {
+  }
+
+  void tick()
+  {
+    if (++cases_ % 50 == 0 && terminal_) {
+      std::cout << '\r' << name_ << ": " << cases_ << std::flush;
+    }
+  }
+
+  void done() const
+  {
+    std::cout << (terminal_ ? "\r" : "") << name_ << ": " << cases_ << " cases done\n";
+  }
+
+private:
+  std::string name_;
+  bool terminal_;
+  std::size_t cases_ = 0;
+};
+
+void run_all_rooms(const ProfilesOptions & options, ProfilesReport & report)
+{
+  for (const RoomsKind & kind : kinds_of_rooms()) {
+    if (is_asked(options, kind.name)) {
+      Ticker ticker(kind.name);
+      report.rooms.push_back(
+        run_rooms(kind, options.rooms, options.seed, [&ticker] { ticker.tick(); }));
+      ticker.done();
+    }
+  }
+}
+
+void draw(const ProfilePictures & pictures)
+{
+  const auto joined = [](const std::vector<std::string> & names) {
+    std::string all;
+    for (const std::string & name : names) {
+      all += (all.empty() ? "" : " ") + name;
+    }
+    return all;
+  };
+  const std::string settings = "folder='" + pictures.folder + "'; maps='" + joined(pictures.maps) +
+                               "'; logs='" + joined(pictures.logs) +
+                               "'; convergence=" + (pictures.convergence ? "1" : "0");
+  const std::string log = pictures.folder + "/gnuplot.log";
+  ChildProcess gnuplot({"gnuplot", "-e", settings, shipped_file("../plots/profiles.gp")}, log);
+  while (!gnuplot.ended()) {
+    std::this_thread::sleep_for(10ms);
+  }
+  if (gnuplot.ended() != 0) {
+    std::cout << "the pictures could not be drawn, see " << log << '\n';
+  }
+}
+
+void run_recorded(const ProfilesOptions & options, ProfilesReport & report)
+{
+  ProfilePictures pictures;
+  pictures.folder = options.out;
+  if (is_asked(options, "real_maps")) {
+    Ticker ticker("real_maps");
+    const auto floors = recorded_floors(options.recorded);
+    report.maps = run_maps(floors, options.poses, options.seed, [&ticker] { ticker.tick(); });
+    ticker.done();
+    pictures.add_maps(floors);
+    pictures.add_convergence(report.maps);
+  }
+  if (is_asked(options, "real_logs")) {
+    Ticker ticker("real_logs");
+    const auto logs = recorded_logs(options.recorded);
+    for (const RecordedLog & log : logs) {
+      report.logs.push_back(run_log(log, options.seed, [&ticker] { ticker.tick(); }));
+    }
+    ticker.done();
+    pictures.add_logs(logs, options.seed);
+  }
+  if (!options.no_plots) {
+    draw(pictures);
+  }
 }
 
 int run(const ProfilesOptions & options)
@@ -72,22 +183,14 @@ int run(const ProfilesOptions & options)
   if (!summary) {
     throw std::runtime_error(path + ": cannot be written");
   }
-  const bool terminal = isatty(STDOUT_FILENO) == 1;
-  std::vector<RoomsTable> tables;
-  for (const RoomsKind & kind : kinds_of_rooms()) {
-    if (!is_asked(options, kind.name)) {
-      continue;
-    }
-    std::size_t cases = 0;
-    tables.push_back(run_rooms(kind, options.rooms, options.seed, [&] {
-      if (++cases % 50 == 0 && terminal) {
-        std::cout << '\r' << kind.name << ": " << cases << " of " << options.rooms << std::flush;
-      }
-    }));
-    std::cout << (terminal ? "\r" : "") << kind.name << ": " << cases << " cases done\n";
+  ProfilesReport report;
+  report.seed = options.seed;
+  run_all_rooms(options, report);
+  if (!options.recorded.empty()) {
+    run_recorded(options, report);
   }
-  summary << profiles_json(tables, options.seed);
-  std::cout << '\n' << profiles_table(tables) << "\nresults in " << options.out << std::endl;
+  summary << profiles_json(report);
+  std::cout << '\n' << profiles_table(report) << "\nresults in " << options.out << std::endl;
   return 0;
 }
 
@@ -98,7 +201,7 @@ int main(int argc, char ** argv)
 {
   CLI::App app{"Checks poses by the centre of mass of the profile and says how well that does."};
   stetro_bringup::ProfilesOptions options;
-  stetro_bringup::add_options(app, options);
+  stetro_bringup::declare_options(app, options);
   try {
     app.parse(argc, argv);
     return stetro_bringup::run(options);

@@ -14,11 +14,8 @@
 
 #include "profiles/profiles_json.hpp"
 
-#include <algorithm>
-#include <iomanip>
-#include <sstream>
-
 #include "nlohmann/json.hpp"
+#include "profiles/median.hpp"
 
 namespace stetro_bringup
 {
@@ -46,45 +43,108 @@ Json figures(const RoomsScore & score)
   };
 }
 
-void print(std::ostream & out, const std::string & name, const RoomsScore & score)
+Json figures(const MapsScore & score)
 {
-  out << std::left << std::setw(34) << name << std::right << std::fixed << std::setprecision(2)
-      << std::setw(9) << 100.0 * share(score.within_1, score.cases) << std::setw(9)
-      << 100.0 * share(score.within_01, score.cases) << std::setw(12) << score.no_verdict
-      << std::setw(11) << score.ambiguous << std::setw(8) << score.ambiguous_right << std::setw(8)
-      << score.false_accepts << std::setprecision(0) << std::setw(11) << score.median_us() << '\n';
+  Json at = {
+    {"cases", score.cases},
+    {"solved", share(score.solved, score.cases)},
+    {"no_verdict", score.no_verdict},
+    {"ambiguous", score.ambiguous},
+    {"free_direction_shown", score.free_direction_shown},
+    {"by_ends", score.by_ends},
+    {"false_accepts", score.false_accepts},
+    {"median_us", median(score.us)},
+  };
+  for (const auto & [reason, count] : score.reasons) {
+    at["reasons"][reason] = count;
+  }
+  return at;
+}
+
+Json figures(const MapsTable & table)
+{
+  Json at;
+  at["free_area_m2"] = table.free_area_m2;
+  at["determined_share"] = table.determined_share;
+  at["contracting_share"] = table.contracting_share;
+  at["median_spectral_radius"] = table.median_spectral_radius;
+  at["published"] = figures(table.published);
+  at["trusted"] = figures(table.determined);
+  at["trusted"]["elsewhere"] = figures(table.elsewhere);
+  if (table.rough_determined.cases + table.rough_elsewhere.cases > 0) {
+    at["trusted_rough_world"] = figures(table.rough_determined);
+    at["trusted_rough_world"]["elsewhere"] = figures(table.rough_elsewhere);
+  }
+  return at;
+}
+
+Json far_off(const LogCase & one)
+{
+  return {
+    {"scan", one.number},     {"error_m", one.error_m}, {"error_rad", one.error_rad},
+    {"sigma_m", one.sigma_m}, {"by_ends", one.by_ends}, {"turning_rad_s", one.turning_rad_s},
+  };
+}
+
+Json figures(const LogTable & table)
+{
+  const LogSummary sum = summary_of(table);
+  Json trusted = {
+    {"solved", share(sum.right, sum.cases)},
+    {"right_or_no_verdict", share(sum.right + sum.no_verdict + sum.ambiguous, sum.cases)},
+    {"verdicts", sum.verdicts},
+    {"no_verdict", sum.no_verdict},
+    {"ambiguous", sum.ambiguous},
+    {"by_ends", sum.by_ends},
+    {"false_accepts", sum.false_accepts},
+    {"median_error_m", sum.median_error_m},
+    {"worst_error_m", sum.worst_error_m},
+    {"median_error_rad", sum.median_error_rad},
+    {"median_us", sum.median_us},
+  };
+  for (const auto & [reason, count] : sum.reasons) {
+    trusted["reasons"][reason] = count;
+  }
+  trusted["accepted_beyond_25_cm"] = Json::array();
+  for (const LogCase & one : table.cases) {
+    if (table.is_verdict(one) && one.error_m > kFarOff) {
+      trusted["accepted_beyond_25_cm"].push_back(far_off(one));
+    }
+  }
+  return {
+    {"cases", sum.cases},
+    {"published",
+     {{"solved", share(sum.published_right, sum.cases)},
+      {"false_accepts", sum.published_far_off},
+      {"median_error_m", sum.published_median_error_m}}},
+    {"trusted", trusted},
+  };
 }
 
 }  // namespace
 
-std::string profiles_json(const std::vector<RoomsTable> & tables, std::uint64_t seed)
+std::string profiles_json(const ProfilesReport & report)
 {
   Json root;
-  for (const RoomsTable & table : tables) {
+  for (const RoomsTable & table : report.rooms) {
     Json & at = root[table.kind.name];
     at["cases"] = table.trusted.cases;
-    at["seed"] = seed;
+    at["seed"] = report.seed;
     at["published"] = figures(table.published);
     // The published search is judged by 1 unit: it stops where its steps are marginal.
     at["published"]["solved"] = share(table.published.within_1, table.published.cases);
     at["published"]["solved_fine"] = share(table.published.within_01, table.published.cases);
     at["trusted"] = figures(table.trusted);
   }
-  return root.dump(2) + '\n';
-}
-
-std::string profiles_table(const std::vector<RoomsTable> & tables)
-{
-  std::ostringstream out;
-  out << std::left << std::setw(34) << "rooms of 100 x 100 units" << std::right << std::setw(9)
-      << "< 1 %" << std::setw(9) << "< 0.1 %" << std::setw(12) << "no verdict" << std::setw(11)
-      << "ambiguous" << std::setw(8) << "right" << std::setw(8) << "false" << std::setw(11)
-      << "median us" << '\n';
-  for (const RoomsTable & table : tables) {
-    print(out, table.kind.name + " published", table.published);
-    print(out, table.kind.name + " trusted", table.trusted);
+  for (const MapsTable & table : report.maps) {
+    root["real_maps"][table.name] = figures(table);
+    root["real_maps"][table.name]["seed"] = report.seed;
   }
-  return out.str();
+  for (const LogTable & table : report.logs) {
+    root["real_logs"][table.name] = figures(table);
+    root["real_logs"][table.name]["seed"] = report.seed;
+  }
+  return root.dump(2) + '\n';
 }
 
 }  // namespace stetro_bringup

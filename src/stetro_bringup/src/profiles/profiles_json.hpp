@@ -19,16 +19,25 @@
 #include <string>
 #include <vector>
 
+#include "profiles/logs_suite.hpp"
+#include "profiles/maps_suite.hpp"
 #include "profiles/rooms_suite.hpp"
 
 namespace stetro_bringup
 {
 
-/// The tables as a JSON object: `<table>.<way>.<figure>`, shares 0 to 1, counts as integers.
-[[nodiscard]] std::string profiles_json(const std::vector<RoomsTable> & tables, std::uint64_t seed);
+/// All that one run of the suite found.
+struct ProfilesReport
+{
+  std::uint64_t seed = 1;
+  std::vector<RoomsTable> rooms;
+  std::vector<MapsTable> maps;
+  std::vector<LogTable> logs;
+};
 
-/// The tables for a terminal.
-[[nodiscard]] std::string profiles_table(const std::vector<RoomsTable> & tables);
+/// A JSON object, shares 0 to 1, counts as integers: `<rooms table>.<way>.<figure>`,
+/// `real_maps.<map>.<way>.<figure>` and `real_logs.<log>.<way>.<figure>`.
+[[nodiscard]] std::string profiles_json(const ProfilesReport & report);
 
 }  // namespace stetro_bringup
 

@@ -67,4 +67,12 @@ void add_noise(stetro_supervisor::RangeProfile & scan, double sigma, std::mt1993
   }
 }
 
+void drop_out(stetro_supervisor::RangeProfile & scan, double share, std::mt19937_64 & random)
+{
+  std::bernoulli_distribution lost(share);
+  for (double & range : scan.ranges_m) {
+    range = lost(random) ? std::numeric_limits<double>::infinity() : range;
+  }
+}
+
 }  // namespace stetro_bringup

@@ -34,6 +34,9 @@ namespace stetro_bringup
 /// White noise on every range, independent from beam to beam; what is left of zero is too near.
 void add_noise(stetro_supervisor::RangeProfile & scan, double sigma, std::mt19937_64 & random);
 
+/// Takes the echo from a share of the beams, each by its own lot.
+void drop_out(stetro_supervisor::RangeProfile & scan, double share, std::mt19937_64 & random);
+
 }  // namespace stetro_bringup
 
 #endif  // PROFILES__ROOM_SCANNER_HPP_

@@ -14,13 +14,13 @@
 
 #include "profiles/rooms_suite.hpp"
 
-#include <time.h>
-
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <random>
 
+#include "profiles/cpu_time.hpp"
+#include "profiles/median.hpp"
 #include "profiles/random_room.hpp"
 #include "profiles/room_scanner.hpp"
 #include "stetro_site/segment_caster.hpp"
@@ -56,13 +56,6 @@ struct RoomCase
   ScannerPose truth;
   RangeProfile scan;
 };
-
-double now_us()
-{
-  timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) * 1e6 + static_cast<double>(t.tv_nsec) * 1e-3;
-}
 
 double share_before(const RangeProfile & scan, const RangeProfile & clear)
 {
@@ -115,10 +108,10 @@ RoomsScore solve_published(const stetro_site::ProfileCaster & map, const RoomCas
   stetro_supervisor::PublishedLimits limits;
   limits.reach_m = kReach;
   limits.settled_m = 1e-3;
-  const double start = now_us();
+  const double start = cpu_time_us();
   const auto search = stetro_supervisor::published_search(
     map, stetro_supervisor::Beams(one.scan), {one.room.believed, one.truth.yaw_rad}, limits);
-  score.us.push_back(now_us() - start);
+  score.us.push_back(cpu_time_us() - start);
   score.cases = 1;
   if (search.positions_m.empty()) {
     score.no_verdict = 1;
@@ -189,9 +182,9 @@ RoomsScore solve_trusted(
   const Belief belief = belief_of(kind, one);
   check.prepare(one.scan.fan);  // a robot's lidar has one fan for life
   RoomsScore score;
-  const double start = now_us();
+  const double start = cpu_time_us();
   const ProfileFinding finding = check.check(one.scan, belief);
-  score.us.push_back(now_us() - start);
+  score.us.push_back(cpu_time_us() - start);
   rate(finding, one, score);
   return score;
 }
@@ -222,16 +215,7 @@ void RoomsScore::add(const RoomsScore & other)
   us.insert(us.end(), other.us.begin(), other.us.end());
 }
 
-double RoomsScore::median_us() const
-{
-  if (us.empty()) {
-    return 0.0;
-  }
-  std::vector<double> sorted = us;
-  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-  std::nth_element(sorted.begin(), middle, sorted.end());
-  return *middle;
-}
+double RoomsScore::median_us() const { return median(us); }
 
 RoomsTable run_rooms(
   const RoomsKind & kind, std::size_t rooms, std::uint64_t seed, const std::function<void()> & done)
