@@ -38,7 +38,7 @@ const stetro_site::Flight * find_flight(
     if (const auto * flight = site.find_flight(id)) {
       return flight;
     }
-  } else if (site.flights().size() == 1 || has_drawn_floor(site)) {
+  } else if (site.flights().size() == 1 || site.has_drawn_floor()) {
     return &site.flights().front();
   }
   std::string accepted = "one of";
@@ -89,7 +89,7 @@ SimOptions sim_options(const DriverSetup & setup)
 {
   SimOptions options = sim_options(setup.params);
   options.lidar =
-    options.lidar || (setup.params.sim.lidar == "auto" && has_drawn_floor(setup.site));
+    options.lidar || (setup.params.sim.lidar == "auto" && setup.site.has_drawn_floor());
   return options;
 }
 

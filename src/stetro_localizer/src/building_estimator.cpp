@@ -24,17 +24,12 @@ namespace
 
 constexpr double kFastest = 0.2;  // the robot moves [m/s] and turns [rad/s]
 
-bool is_drawn(const stetro_site::Floor & floor)
-{
-  return !std::holds_alternative<std::monostate>(floor.drawing);
-}
-
 }  // namespace
 
 BuildingEstimator::BuildingEstimator(const LocalizerSetup & setup)
 : params_(setup.params),
   site_(setup.site),
-  drawn_(has_drawn_floors(site_)),
+  drawn_(site_.has_drawn_floor()),
   flights_(site_.flights().size()),
   floors_(params_, site_),
   present_(nullptr),
@@ -77,7 +72,7 @@ int BuildingEstimator::floor_named(const std::string & id) const
 int BuildingEstimator::drawn_floor(const std::string & id) const
 {
   const int floor = floor_named(id);
-  return floor >= 0 && is_drawn(site_.floors()[static_cast<std::size_t>(floor)]) ? floor : -1;
+  return floor >= 0 && site_.floors()[static_cast<std::size_t>(floor)].is_drawn() ? floor : -1;
 }
 
 void BuildingEstimator::be_on_flight(int flight)
@@ -235,18 +230,12 @@ bool BuildingEstimator::contradicts(const PoseCorrection & correction) const
   const stetro_site::Covariance told_doubt = below.T_map_segment.to_map(correction.covariance);
   // The pose is of now, the correction of a while ago.
   const double age_s = std::abs(seconds(crossing->time - correction.stamp));
-  const double moved = kFastest * age_s;      // [m], [rad]
-  const std::array<int, 3> of_pose{0, 1, 5};  // x, y and heading in a covariance of ROS
+  const double moved = kFastest * age_s;  // [m], [rad]
   FixInnovation innovation;
   innovation.value << told.x_m - crossing->pose.x_m, told.y_m - crossing->pose.y_m,
     stetro_site::wrap_angle(told.yaw_rad - crossing->pose.yaw_rad);
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      innovation.covariance(i, j) =
-        crossing->covariance(i, j) +
-        told_doubt(of_pose[static_cast<std::size_t>(i)], of_pose[static_cast<std::size_t>(j)]);
-    }
-  }
+  innovation.covariance =
+    crossing->covariance.topLeftCorner<3, 3>() + stetro_site::planar(told_doubt);
   innovation.covariance.diagonal().array() += moved * moved;
   return innovation.nis() > correction_nis_;
 }

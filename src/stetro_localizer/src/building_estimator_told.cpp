@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "stetro_localizer/building_estimator.hpp"
+#include "stetro_site/free_space.hpp"
 #include "stetro_site/standing_place.hpp"
 
 namespace stetro_localizer
@@ -34,34 +35,14 @@ bool is_over(const stetro_site::Flight & flight, const stetro_site::Pose & in_ma
          !stetro_site::misplaced(pose, flight);
 }
 
-/// The drawing has the place, and no wall or obstacle there.
-struct HasPlace
-{
-  Eigen::Vector2d point_m;
-
-  bool operator()(const std::monostate &) const { return false; }
-  bool operator()(const stetro_site::PolygonWalls & walls) const
-  {
-    for (const stetro_site::Polygon & obstacle : walls.obstacles) {
-      if (stetro_site::encloses(obstacle, point_m)) {
-        return false;
-      }
-    }
-    return stetro_site::encloses(walls.outline, point_m);
-  }
-  bool operator()(const stetro_site::GridMapFile & map) const
-  {
-    return map.grid && map.grid->at(map.grid->cell_at(point_m)) == stetro_site::Cell::kFree;
-  }
-};
-
 }  // namespace
 
 bool BuildingEstimator::stands_on(
   const stetro_site::Floor & floor, const stetro_site::Pose & in_map) const
 {
   const stetro_site::Pose pose = stetro_site::FrameTransform(floor.pose_in_map).to_frame(in_map);
-  return std::abs(pose.z_m) <= kHeight && std::visit(HasPlace{{pose.x_m, pose.y_m}}, floor.drawing);
+  const auto free_space = stetro_site::free_space_of(floor.drawing);
+  return free_space && std::abs(pose.z_m) <= kHeight && free_space->is_free({pose.x_m, pose.y_m});
 }
 
 std::string BuildingEstimator::accepted_frames() const

@@ -16,7 +16,6 @@
 
 #include <algorithm>
 #include <string>
-#include <variant>
 
 #include "stetro_site/fit.hpp"
 
@@ -44,7 +43,7 @@ const stetro_site::Flight * find_flight(
     if (const auto * flight = site.find_flight(id)) {
       return flight;
     }
-  } else if (site.flights().size() == 1 || has_drawn_floors(site)) {
+  } else if (site.flights().size() == 1 || site.has_drawn_floor()) {
     return &site.flights().front();
   }
   std::string accepted = "one of";
@@ -60,7 +59,7 @@ bool has_segment(
   const stetro_site::Site & site, const std::string & id, stetro_config::Faults & faults)
 {
   const stetro_site::Floor * floor = site.find_floor(id);
-  const bool on_floor = floor != nullptr && !std::holds_alternative<std::monostate>(floor->drawing);
+  const bool on_floor = floor != nullptr && floor->is_drawn();
   if (id.empty() || site.find_flight(id) != nullptr || on_floor) {
     return true;
   }
@@ -69,21 +68,13 @@ bool has_segment(
     accepted += " " + flight.id();
   }
   for (const stetro_site::Floor & one : site.floors()) {
-    accepted += std::holds_alternative<std::monostate>(one.drawing) ? "" : " " + one.id;
+    accepted += one.is_drawn() ? " " + one.id : "";
   }
   add_once({"", 0, "initial_segment", id, accepted}, faults);
   return false;
 }
 
 }  // namespace
-
-bool has_drawn_floors(const stetro_site::Site & site)
-{
-  return std::any_of(
-    site.floors().begin(), site.floors().end(), [](const stetro_site::Floor & floor) {
-      return !std::holds_alternative<std::monostate>(floor.drawing);
-    });
-}
 
 std::optional<LocalizerSetup> read_setup(
   const LocalizerParams & params, stetro_config::Faults & faults)
@@ -93,7 +84,7 @@ std::optional<LocalizerSetup> read_setup(
   }
   try {
     auto deployment = stetro_site::load_deployment(params.site_file, params.robot_file);
-    const bool begins = has_drawn_floors(deployment.site) &&
+    const bool begins = deployment.site.has_drawn_floor() &&
                         deployment.site.find_flight(params.initial_segment) != nullptr;
     const auto * flight =
       find_flight(deployment.site, begins ? params.initial_segment : params.flight, faults);

@@ -14,7 +14,6 @@
 
 // How the estimator begins at the foot of its flight, and hands over to the floor above.
 
-#include <array>
 #include <cmath>
 
 #include "stetro_localizer/paper_estimator.hpp"
@@ -47,13 +46,7 @@ std::optional<Crossing> PaperEstimator::leave() const
   const ScalarEstimate bias = heading_.gyro_bias();
   crossing.state << crossing.pose.x_m, crossing.pose.y_m, crossing.pose.yaw_rad, bias.value, 0.0;
   FloorMatrix covariance = FloorMatrix::Zero();
-  constexpr std::array<int, 3> kOfPose{0, 1, 5};
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      covariance(i, j) = estimate_.covariance(
-        kOfPose[static_cast<std::size_t>(i)], kOfPose[static_cast<std::size_t>(j)]);
-    }
-  }
+  covariance.topLeftCorner<3, 3>() = stetro_site::planar(estimate_.covariance);
   covariance(kFloorGyroBias, kFloorGyroBias) = bias.variance;
   covariance(kFloorOdomScale, kFloorOdomScale) =
     params_.fused.priors.odom_scale * params_.fused.priors.odom_scale;

@@ -118,7 +118,7 @@ TEST_F(LocalizerSetupTest, BeginsOnASegmentOfTheSiteWhoseFloorIsDrawn)
     params_.initial_segment = id;
     const auto setup = read_setup(params_, faults_);
     ASSERT_TRUE(setup) << id;
-    EXPECT_TRUE(has_drawn_floors(setup->site));
+    EXPECT_TRUE(setup->site.has_drawn_floor());
   }
   params_.initial_segment = "landing";
   EXPECT_FALSE(read_setup(params_, faults_)) << "nobody has drawn it";

@@ -24,6 +24,7 @@ namespace
 {
 
 constexpr double kTurn = 6.283185307179586;  // [rad]
+constexpr int kPlanar[] = {0, 1, 5};         // x, y and yaw among the six
 
 Eigen::Vector3d position(const Pose & pose) { return {pose.x_m, pose.y_m, pose.z_m}; }
 
@@ -43,6 +44,26 @@ Covariance rotated(const Covariance & covariance, const Eigen::Matrix3d & rotati
 }  // namespace
 
 double wrap_angle(double angle_rad) { return std::remainder(angle_rad, kTurn); }
+
+Eigen::Matrix3d planar(const Covariance & covariance)
+{
+  Eigen::Matrix3d part;
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) {
+      part(row, column) = covariance(kPlanar[row], kPlanar[column]);
+    }
+  }
+  return part;
+}
+
+void set_planar(Covariance & covariance, const Eigen::Matrix3d & planar)
+{
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) {
+      covariance(kPlanar[row], kPlanar[column]) = planar(row, column);
+    }
+  }
+}
 
 FrameTransform::FrameTransform(const Pose & frame_in_map)
 : origin_m_(position(frame_in_map)),

@@ -93,6 +93,12 @@ const Floor * Site::find_floor(const std::string & id) const noexcept
   return find(spec_.floors, id);
 }
 
+bool Site::has_drawn_floor() const noexcept
+{
+  return std::any_of(
+    spec_.floors.begin(), spec_.floors.end(), [](const Floor & floor) { return floor.is_drawn(); });
+}
+
 const Flight & Site::flight(const std::string & id) const
 {
   if (const Flight * found = find_flight(id)) {

@@ -56,6 +56,27 @@ TEST(FrameTransform, TurnsTheCovarianceWithTheFrame)
   EXPECT_NEAR(in_map(0, 5), 0.0, 1e-12);
 }
 
+TEST(PlanarCovariance, IsThatOfXYAndYaw)
+{
+  Covariance covariance;
+  for (int i = 0; i < 36; ++i) {
+    covariance(i / 6, i % 6) = 10.0 * (i / 6) + i % 6;  // 35: row 3, column 5
+  }
+  Eigen::Matrix3d expected;
+  expected << 0.0, 1.0, 5.0, 10.0, 11.0, 15.0, 50.0, 51.0, 55.0;
+  EXPECT_EQ(planar(covariance), expected);
+}
+
+TEST(PlanarCovariance, IsSetAndTheRestStays)
+{
+  Covariance covariance = Covariance::Constant(-1.0);
+  Eigen::Matrix3d part;
+  part << 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0;
+  set_planar(covariance, part);
+  EXPECT_EQ(planar(covariance), part);
+  EXPECT_EQ((covariance.array() == -1.0).count(), 27);
+}
+
 TEST(FrameTransform, WrapsTheHeading)
 {
   EXPECT_NEAR(wrap_angle(3 * kPi / 2), -kPi / 2, 1e-12);

@@ -18,6 +18,7 @@
 #include <limits>
 #include <utility>
 
+#include "stetro_site/frame_transform.hpp"
 #include "stetro_supervisor/sweep.hpp"
 
 namespace stetro_supervisor
@@ -42,8 +43,6 @@ bool sweeps(State state)
   return state == State::kSweepLeft || state == State::kSweepRight ||
          state == State::kSweepToMiddle;
 }
-
-double wrapped(double angle_rad) { return std::remainder(angle_rad, 4.0 * kQuarterTurn_rad); }
 
 }  // namespace
 
@@ -112,7 +111,7 @@ void Climb::follow_path(const OdometryPose & odometry)
     const double along = std::cos(turn) * dx - std::sin(turn) * dy;
     memory_.path.along_m += along;
     memory_.path.across_m += std::sin(turn) * dx + std::cos(turn) * dy;
-    memory_.path.turned_rad += wrapped(odometry.yaw_rad - last_odometry_->yaw_rad);
+    memory_.path.turned_rad += stetro_site::wrap_angle(odometry.yaw_rad - last_odometry_->yaw_rad);
     memory_.offset.roll(along);
   }
   last_odometry_ = odometry;

@@ -63,7 +63,7 @@ Journey::Journey(
     climbs_.emplace(each.id(), std::make_unique<Climb>(climb, make_geometry(each, robot)));
   }
   for (const Floor & each : site_.floors()) {
-    if (is_drawn(each)) {
+    if (each.is_drawn()) {
       floors_.emplace(
         each.id, std::make_shared<const DrawnFloor>(site_, each.id, floor.resolution_m));
     }

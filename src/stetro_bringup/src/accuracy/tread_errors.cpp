@@ -78,13 +78,7 @@ TreadErrors errors_of(
 
 double nees_of(const TreadErrors & errors, const stetro_site::Covariance & covariance)
 {
-  constexpr int kAxes[] = {0, 1, 5};  // x, y and the turn about z of the pose's six
-  Eigen::Matrix3d p;
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column) {
-      p(row, column) = covariance(kAxes[row], kAxes[column]);
-    }
-  }
+  const Eigen::Matrix3d p = stetro_site::planar(covariance);
   const Eigen::Vector3d e{errors.x_m, errors.y_m, errors.heading_rad};
   const Eigen::LLT<Eigen::Matrix3d> factor(p);
   if (!e.allFinite() || !p.allFinite() || factor.info() != Eigen::Success) {

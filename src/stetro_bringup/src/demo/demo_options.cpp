@@ -19,7 +19,6 @@
 #include <sstream>
 #include <stdexcept>
 #include <system_error>
-#include <variant>
 
 #include "installation.hpp"
 
@@ -81,8 +80,7 @@ const stetro_site::Floor * highest_drawn(const stetro_site::Site & site)
 {
   const stetro_site::Floor * highest = nullptr;
   for (const stetro_site::Floor & floor : site.floors()) {
-    const bool drawn = !std::holds_alternative<std::monostate>(floor.drawing);
-    if (drawn && (highest == nullptr || floor.elevation_m() > highest->elevation_m())) {
+    if (floor.is_drawn() && (highest == nullptr || floor.elevation_m() > highest->elevation_m())) {
       highest = &floor;
     }
   }

@@ -40,9 +40,6 @@ namespace stetro_driver
  */
 [[nodiscard]] BuildingShape shape_of(const stetro_site::Site & site, const std::string & flight);
 
-/// Whether somebody has drawn a floor of the site.
-[[nodiscard]] bool has_drawn_floor(const stetro_site::Site & site);
-
 /// The measures of a robot, as its file gives them. What the file leaves open keeps its default.
 [[nodiscard]] BodyShape shape_of(const stetro_site::Robot & robot);
 

@@ -44,17 +44,12 @@ StairShape shape_of(const stetro_site::Flight & flight)
 namespace
 {
 
-bool is_drawn(const stetro_site::Floor & floor)
-{
-  return !std::holds_alternative<std::monostate>(floor.drawing);
-}
-
 FloorShape shape_of(const stetro_site::Floor & floor)
 {
   FloorShape shape;
   shape.id = floor.id;
   shape.pose_in_map = floor.pose_in_map;
-  shape.drawn = is_drawn(floor);
+  shape.drawn = floor.is_drawn();
   if (const auto * walls = std::get_if<stetro_site::PolygonWalls>(&floor.drawing)) {
     shape.walls.push_back(walls->outline);
     shape.walls.insert(shape.walls.end(), walls->obstacles.begin(), walls->obstacles.end());
@@ -72,15 +67,10 @@ std::size_t index_of(const stetro_site::Site & site, const std::string & floor)
 
 }  // namespace
 
-bool has_drawn_floor(const stetro_site::Site & site)
-{
-  return std::any_of(site.floors().begin(), site.floors().end(), is_drawn);
-}
-
 BuildingShape shape_of(const stetro_site::Site & site, const std::string & flight)
 {
   const stetro_site::Flight & start = site.flight(flight);
-  const bool drawn = has_drawn_floor(site);
+  const bool drawn = site.has_drawn_floor();
   BuildingShape building;
   for (const stetro_site::Flight & one : site.flights()) {
     if (!drawn && &one != &start) {

@@ -35,9 +35,6 @@ struct LocalizerSetup
   stetro_site::RobotGeometry robot;
 };
 
-/// Whether somebody has drawn a floor of the site: then floors take part.
-[[nodiscard]] bool has_drawn_floors(const stetro_site::Site & site);
-
 /// Reads the site and robot files that the parameters name. Nothing if a fault was found.
 /**
  * A fault that is among `faults` already is not added again: two nodes of one process may name the

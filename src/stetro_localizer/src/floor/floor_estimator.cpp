@@ -44,15 +44,9 @@ std::vector<Segment> segments_of(const std::vector<stetro_site::Floor> & floors)
 
 PoseFix fix_of(const stetro_site::Pose & pose, const stetro_site::Covariance & covariance)
 {
-  constexpr std::array<int, 3> kOfPose{0, 1, 5};  // x, y and heading in a covariance of ROS
   PoseFix fix;
   fix.pose << pose.x_m, pose.y_m, pose.yaw_rad;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      fix.covariance(i, j) =
-        covariance(kOfPose[static_cast<std::size_t>(i)], kOfPose[static_cast<std::size_t>(j)]);
-    }
-  }
+  fix.covariance = stetro_site::planar(covariance);
   return fix;
 }
 

@@ -42,14 +42,7 @@ void FloorEstimator::refresh_pose()
     return;
   }
   estimate_.pose = {filter[kFloorX], filter[kFloorY], z_m_, filter[kFloorYaw]};
-  constexpr std::array<int, 3> kOfPose{0, 1, 5};  // x, y and heading in a covariance of ROS
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      estimate_.covariance(
-        kOfPose[static_cast<std::size_t>(i)], kOfPose[static_cast<std::size_t>(j)]) =
-        filter.covariance()(i, j);
-    }
-  }
+  stetro_site::set_planar(estimate_.covariance, filter.covariance().topLeftCorner<3, 3>());
   estimate_.covariance(2, 2) = z_variance_;
   estimate_.covariance(3, 3) = estimate_.covariance(4, 4) = kTilt * kTilt;
   estimate_.tread_covariance = estimate_.covariance;

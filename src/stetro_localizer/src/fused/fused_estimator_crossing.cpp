@@ -25,8 +25,6 @@ namespace
 constexpr std::array<int, kFloorCount> kShared{
   kStateX, kStateY, kStateYaw, kStateGyroBias, kStateOdomScale};
 
-constexpr std::array<int, 3> kOfPose{0, 1, 5};  // x, y and heading in a covariance of ROS
-
 }  // namespace
 
 Legacy FusedEstimator::legacy() const { return legacy_of(estimate_, reports_, state_to_store()); }
@@ -52,12 +50,7 @@ std::optional<Crossing> FusedEstimator::leave() const
   }
   // In the flight frame x is edge + x, and what is published differs by what is withheld: as
   // published for the pose, and the edge's own share for the rest.
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      covariance(i, j) = estimate_.covariance(
-        kOfPose[static_cast<std::size_t>(i)], kOfPose[static_cast<std::size_t>(j)]);
-    }
-  }
+  covariance.topLeftCorner<3, 3>() = stetro_site::planar(estimate_.covariance);
   for (const int i : {kFloorGyroBias, kFloorOdomScale}) {
     const double edge = filter.edge_covariance()[kShared[static_cast<std::size_t>(i)]];
     covariance(i, kFloorX) += edge;

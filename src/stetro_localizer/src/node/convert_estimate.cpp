@@ -13,7 +13,6 @@
 // limitations under the License.
 
 #include <cmath>
-#include <variant>
 
 #include "node/convert.hpp"
 
@@ -223,7 +222,7 @@ tf2_msgs::msg::TFMessage to_static_transforms(Nanoseconds now, const stetro_site
     add_transform(message, now, flight.id(), flight.spec().pose_in_map);
   }
   for (const stetro_site::Floor & floor : site.floors()) {
-    if (!std::holds_alternative<std::monostate>(floor.drawing)) {
+    if (floor.is_drawn()) {
       add_transform(message, now, floor.id, floor.pose_in_map);
     }
   }

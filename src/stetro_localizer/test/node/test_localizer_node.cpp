@@ -13,22 +13,15 @@
 // limitations under the License.
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 #include <limits>
-#include <optional>
 #include <string>
 
 #include "node/convert.hpp"
-#include "stetro_config/report.hpp"
-#include "stetro_dds/executor.hpp"
-#include "stetro_localizer/localizer_node.hpp"
 #include "stetro_msgs/PoseCorrection.hpp"
-#include "stetro_site/robot.hpp"
-#include "support/sensor_wire.hpp"
+#include "support/localizer_on_wire.hpp"
 #include "support/stair_robot.hpp"
 
 namespace stetro_localizer
@@ -36,8 +29,6 @@ namespace stetro_localizer
 namespace
 {
 
-namespace fs = std::filesystem;
-namespace qos = stetro_dds::qos;
 namespace stair = stetro_msgs::msg::StairPose_Constants;
 
 constexpr char kSite[] = R"(name: papers
@@ -56,70 +47,16 @@ flights:
     pose: {x_m: 10.0, y_m: 0.0, z_m: 0.0, yaw_rad: 0.0}
 )";
 
-/// The localizer, the robot's sensors on the wire, and somebody who listens; one process.
-class LocalizerNodeTest : public testing::Test
+class LocalizerNodeTest : public LocalizerOnWire
 {
 protected:
-  LocalizerNodeTest()
+  LocalizerNodeTest() : LocalizerOnWire(kSite)
   {
-    fs::create_directories(folder_);
-    params_.site_file = (folder_ / "site.yaml").string();
-    params_.robot_file = (folder_ / "robot.yaml").string();
     params_.state_file = (folder_ / "state").string();
     params_.initial_step = 3;
     params_.estimator = "paper";  // exact where the sensors are
-    std::ofstream{params_.site_file} << kSite;
-    std::ofstream{params_.robot_file} << stetro_config::to_yaml(stetro_site::Robot{});
-    listen();
     start();
     robot_.stand_on(3);
-  }
-
-  ~LocalizerNodeTest() override
-  {
-    stop();
-    fs::remove_all(folder_);
-  }
-
-  void start()
-  {
-    localizer_.emplace(
-      context_, stetro_dds::NodeOptions{"localizer", "/stetro", stetro_dds::TimeSource::kByHand},
-      params_);
-    executor_.add(localizer_->node());
-    wire_.set_turn([this](Nanoseconds now) {
-      if (localizer_) {
-        localizer_->node().clock().set(now);
-      }
-      executor_.drain();
-    });
-  }
-
-  void stop()
-  {
-    if (localizer_) {
-      executor_.remove(localizer_->node());
-      localizer_.reset();
-    }
-  }
-
-  void listen()
-  {
-    auto & node = wire_.node();
-    node.subscribe<stetro_msgs::msg::StairPose>(
-      "stair_pose", qos::kLatched,
-      [this](const stetro_msgs::msg::StairPose & m) { stair_pose_ = m; });
-    node.subscribe<geometry_msgs::msg::PoseWithCovarianceStamped>(
-      "pose", qos::kPose,
-      [this](const geometry_msgs::msg::PoseWithCovarianceStamped & m) { pose_ = m; });
-    node.subscribe<stetro_msgs::msg::Innovations>(
-      "innovations", qos::kSensor,
-      [this](const stetro_msgs::msg::Innovations & m) { innovations_ = m; });
-    node.subscribe<tf2_msgs::msg::TFMessage>(
-      "/tf", qos::kTf, [this](const tf2_msgs::msg::TFMessage & m) { tf_ = m; });
-    node.subscribe<tf2_msgs::msg::TFMessage>(
-      "/tf_static", qos::kTfStatic, [this](const tf2_msgs::msg::TFMessage & m) { static_tf_ = m; });
-    executor_.add(node);
   }
 
   [[nodiscard]] std::uint64_t refused(const std::string & topic, const std::string & reason)
@@ -132,19 +69,6 @@ protected:
       }
     }
     return 0;
-  }
-
-  /// A value of the task "estimate" in the node's diagnostics.
-  [[nodiscard]] std::string diagnosed(const std::string & key)
-  {
-    for (const auto & [task, report] : localizer_->node().diagnostics().reports()) {
-      for (const auto & [name, value] : report.values()) {
-        if (task == "estimate" && name == key) {
-          return value;
-        }
-      }
-    }
-    return "";
   }
 
   /// That the robot stands where it does: on tread 3, in the flight frame.
@@ -160,18 +84,7 @@ protected:
     return message;
   }
 
-  const fs::path folder_ = fs::temp_directory_path() / ("localizer_" + std::to_string(::getpid()));
-  LocalizerParams params_;
-  stetro_dds::Context context_{test_options()};
-  stetro_dds::Executor executor_;
-  SensorWire wire_{context_};
   StairRobot robot_{wire_};
-  std::optional<stetro_msgs::msg::StairPose> stair_pose_;
-  std::optional<geometry_msgs::msg::PoseWithCovarianceStamped> pose_;
-  std::optional<stetro_msgs::msg::Innovations> innovations_;
-  std::optional<tf2_msgs::msg::TFMessage> tf_;
-  std::optional<tf2_msgs::msg::TFMessage> static_tf_;
-  std::optional<LocalizerNode> localizer_;
 };
 
 TEST_F(LocalizerNodeTest, PublishesWhereTheRobotIs)
@@ -322,13 +235,13 @@ TEST_F(LocalizerNodeTest, RefusesAToldPoseByItsStampAndItsFrameAndSaysSo)
   EXPECT_EQ(refused("initialpose", "stamp is in the future"), 1u);
   tell(robot_.now, "odom");
   EXPECT_EQ(refused("initialpose", "frame"), 1u);
-  EXPECT_EQ(diagnosed("initialpose refused"), "4");
-  EXPECT_NE(diagnosed("initialpose last refused").find("'odom'"), std::string::npos);
-  EXPECT_EQ(diagnosed("initialpose taken"), "0");
+  EXPECT_EQ(diagnosed("estimate", "initialpose refused"), "4");
+  EXPECT_NE(diagnosed("estimate", "initialpose last refused").find("'odom'"), std::string::npos);
+  EXPECT_EQ(diagnosed("estimate", "initialpose taken"), "0");
   EXPECT_EQ(stair_pose_->reset_counter(), 0u);
 
   tell(robot_.now);  // the one refused for its frame has not used up the stamp
-  EXPECT_EQ(diagnosed("initialpose taken"), "1");
+  EXPECT_EQ(diagnosed("estimate", "initialpose taken"), "1");
   tell(robot_.now - std::chrono::seconds(1));
   EXPECT_EQ(refused("initialpose", "out of order"), 1u);
   EXPECT_EQ(stair_pose_->reset_counter(), 1u);
@@ -337,7 +250,7 @@ TEST_F(LocalizerNodeTest, RefusesAToldPoseByItsStampAndItsFrameAndSaysSo)
 TEST_F(LocalizerNodeTest, PublishesAToldPoseAtOnceAsAResetWithItsCause)
 {
   robot_.rest(1.0);
-  EXPECT_EQ(diagnosed("last reset"), "none");
+  EXPECT_EQ(diagnosed("estimate", "last reset"), "none");
   auto message = told_at(robot_.now);
   message.pose().pose().position().y(1.2);
   wire_.tell(message);
@@ -347,8 +260,8 @@ TEST_F(LocalizerNodeTest, PublishesAToldPoseAtOnceAsAResetWithItsCause)
   EXPECT_NEAR(stair_pose_->reset_delta_z(), 0.0, 1e-9);
   EXPECT_NEAR(stair_pose_->reset_delta_heading(), 0.0, 1e-6);
   EXPECT_NEAR(stair_pose_->pose().pose().position().y(), 1.2, 1e-6);
-  EXPECT_EQ(diagnosed("resets"), "1");
-  EXPECT_EQ(diagnosed("last reset"), "told by initialpose");
+  EXPECT_EQ(diagnosed("estimate", "resets"), "1");
+  EXPECT_EQ(diagnosed("estimate", "last reset"), "told by initialpose");
 }
 
 TEST_F(LocalizerNodeTest, EachRestartIsAResetWithANumberOfItsOwn)
@@ -359,8 +272,9 @@ TEST_F(LocalizerNodeTest, EachRestartIsAResetWithANumberOfItsOwn)
   for (std::uint32_t restart = 1; restart <= 3; ++restart) {
     stop();
     start();
-    EXPECT_EQ(diagnosed("resets"), std::to_string(before + restart)) << "nothing has moved since";
-    EXPECT_EQ(diagnosed("last reset"), "restarted from the stored state");
+    EXPECT_EQ(diagnosed("estimate", "resets"), std::to_string(before + restart))
+      << "nothing has moved since";
+    EXPECT_EQ(diagnosed("estimate", "last reset"), "restarted from the stored state");
   }
   robot_.rest(1.0);
   EXPECT_EQ(stair_pose_->step_index(), 4);

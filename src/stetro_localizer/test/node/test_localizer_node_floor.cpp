@@ -13,20 +13,12 @@
 // limitations under the License.
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <optional>
 #include <string>
 
 #include "node/convert.hpp"
-#include "stetro_config/report.hpp"
-#include "stetro_dds/executor.hpp"
-#include "stetro_localizer/localizer_node.hpp"
-#include "stetro_site/robot.hpp"
-#include "support/sensor_wire.hpp"
+#include "support/localizer_on_wire.hpp"
 #include "support/two_floors.hpp"
 
 namespace stetro_localizer
@@ -34,8 +26,6 @@ namespace stetro_localizer
 namespace
 {
 
-namespace fs = std::filesystem;
-namespace qos = stetro_dds::qos;
 namespace stair = stetro_msgs::msg::StairPose_Constants;
 
 constexpr char kSite[] = R"(name: drawn
@@ -58,43 +48,11 @@ flights:
     pose: {x_m: 5.0, y_m: 0.0, z_m: 0.0, yaw_rad: 0.0}
 )";
 
-/// The localizer on a site whose floors are drawn, a robot's wire and somebody who listens.
-class LocalizerNodeFloorTest : public testing::Test
+/// On a site whose floors are drawn.
+class LocalizerNodeFloorTest : public LocalizerOnWire
 {
 protected:
-  LocalizerNodeFloorTest()
-  {
-    fs::create_directories(folder_);
-    LocalizerParams params;
-    params.site_file = (folder_ / "site.yaml").string();
-    params.robot_file = (folder_ / "robot.yaml").string();
-    std::ofstream{params.site_file} << kSite;
-    std::ofstream{params.robot_file} << stetro_config::to_yaml(stetro_site::Robot{});
-    auto & node = wire_.node();
-    node.subscribe<stetro_msgs::msg::StairPose>(
-      "stair_pose", qos::kLatched,
-      [this](const stetro_msgs::msg::StairPose & m) { stair_pose_ = m; });
-    node.subscribe<geometry_msgs::msg::PoseWithCovarianceStamped>(
-      "pose", qos::kPose,
-      [this](const geometry_msgs::msg::PoseWithCovarianceStamped & m) { pose_ = m; });
-    node.subscribe<tf2_msgs::msg::TFMessage>(
-      "/tf_static", qos::kTfStatic, [this](const tf2_msgs::msg::TFMessage & m) { static_tf_ = m; });
-    executor_.add(node);
-    localizer_.emplace(
-      context_, stetro_dds::NodeOptions{"localizer", "/stetro", stetro_dds::TimeSource::kByHand},
-      params);
-    executor_.add(localizer_->node());
-    wire_.set_turn([this](Nanoseconds now) {
-      localizer_->node().clock().set(now);
-      executor_.drain();
-    });
-  }
-  ~LocalizerNodeFloorTest() override
-  {
-    executor_.remove(localizer_->node());
-    localizer_.reset();
-    fs::remove_all(folder_);
-  }
+  LocalizerNodeFloorTest() : LocalizerOnWire(kSite) { start(); }
 
   void correct(double x_m, double y_m, std::uint32_t reset_counter)
   {
@@ -113,27 +71,7 @@ protected:
     wire_.correct(message);
   }
 
-  [[nodiscard]] std::string diagnosed(const std::string & of, const std::string & key)
-  {
-    for (const auto & [task, report] : localizer_->node().diagnostics().reports()) {
-      for (const auto & [name, value] : report.values()) {
-        if (task == of && name == key) {
-          return value;
-        }
-      }
-    }
-    return "";
-  }
-
-  const fs::path folder_ = fs::temp_directory_path() / ("floor_" + std::to_string(::getpid()));
-  stetro_dds::Context context_{test_options()};
-  stetro_dds::Executor executor_;
-  SensorWire wire_{context_};
   LevelRobot robot_{wire_};
-  std::optional<stetro_msgs::msg::StairPose> stair_pose_;
-  std::optional<geometry_msgs::msg::PoseWithCovarianceStamped> pose_;
-  std::optional<tf2_msgs::msg::TFMessage> static_tf_;
-  std::optional<LocalizerNode> localizer_;
 };
 
 TEST_F(LocalizerNodeFloorTest, SaysThatItDoesNotKnowWhereItIs)

@@ -52,6 +52,10 @@ struct Floor
   FloorDrawing drawing;  ///< in the floor's frame
 
   [[nodiscard]] double elevation_m() const noexcept { return pose_in_map.z_m; }
+  [[nodiscard]] bool is_drawn() const noexcept
+  {
+    return !std::holds_alternative<std::monostate>(drawing);
+  }
 };
 
 }  // namespace stetro_site

@@ -26,6 +26,12 @@ namespace stetro_site
 /// fixed axes of the frame the pose is given in [m, rad].
 using Covariance = Eigen::Matrix<double, 6, 6>;
 
+/// The part of (x, y, yaw), in that order.
+[[nodiscard]] Eigen::Matrix3d planar(const Covariance & covariance);
+
+/// Puts the part of (x, y, yaw) in its place, and leaves the rest as it is.
+void set_planar(Covariance & covariance, const Eigen::Matrix3d & planar);
+
 /// The same angle in [-pi, pi].
 [[nodiscard]] double wrap_angle(double angle_rad);
 

@@ -68,6 +68,9 @@ public:
   [[nodiscard]] const Flight * find_flight(const std::string & id) const noexcept;
   [[nodiscard]] const Floor * find_floor(const std::string & id) const noexcept;
 
+  /// Whether somebody has drawn a floor: then a robot can find its way on floors, too.
+  [[nodiscard]] bool has_drawn_floor() const noexcept;
+
   /// \throws std::out_of_range naming the id and those there are
   [[nodiscard]] const Flight & flight(const std::string & id) const;
   [[nodiscard]] const Floor & floor(const std::string & id) const;

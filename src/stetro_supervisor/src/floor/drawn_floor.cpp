@@ -83,11 +83,6 @@ std::shared_ptr<const DistanceField> distances_of(OccupancyGrid grid)
 
 }  // namespace
 
-bool is_drawn(const Floor & floor)
-{
-  return !std::holds_alternative<std::monostate>(floor.drawing);
-}
-
 DrawnFloor::DrawnFloor(const Site & site, const std::string & floor_id, double resolution_m)
 : floor_(site.floor(floor_id)), grid_(stetro_site::grid_of(floor_.drawing, resolution_m))
 {

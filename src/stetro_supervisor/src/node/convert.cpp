@@ -49,13 +49,9 @@ static_assert(kContactClosure == pose_wire::REASON_CONTACT_CLOSURE);
 /// Of (x, y, heading); a metre and a radian where it is unknown.
 Eigen::Matrix3d planar(const geometry_msgs::msg::PoseWithCovariance & pose)
 {
-  constexpr std::size_t kAt[] = {0, 1, 5};
-  Eigen::Matrix3d covariance;
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column) {
-      covariance(row, column) = pose.covariance()[6 * kAt[row] + kAt[column]];
-    }
-  }
+  using Wire = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
+  const Eigen::Matrix3d covariance =
+    stetro_site::planar(Eigen::Map<const Wire>(pose.covariance().data()));
   const bool known = covariance.allFinite() && covariance.diagonal().minCoeff() >= 0.0;
   return known ? covariance : Eigen::Matrix3d::Identity();
 }

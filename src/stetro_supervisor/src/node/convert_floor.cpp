@@ -43,13 +43,8 @@ geometry_msgs::msg::Quaternion turned(double yaw_rad)
 
 stetro_site::Covariance spatial(const Eigen::Matrix3d & planar)
 {
-  constexpr int kAt[] = {0, 1, 5};
   stetro_site::Covariance all = stetro_site::Covariance::Zero();
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column) {
-      all(kAt[row], kAt[column]) = planar(row, column);
-    }
-  }
+  stetro_site::set_planar(all, planar);
   all(2, 2) = kHeight_m2;
   all(3, 3) = all(4, 4) = kLevel_rad2;
   return all;

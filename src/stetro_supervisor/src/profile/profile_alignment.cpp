@@ -18,6 +18,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "stetro_site/frame_transform.hpp"
+
 namespace stetro_supervisor
 {
 namespace
@@ -27,9 +29,6 @@ namespace
 /// standard deviations that the others leave.
 constexpr double kContradiction = 2.0;
 constexpr double kSmallPart = 0.25;
-
-/// An angle within half a turn of zero.
-double wrapped(double angle_rad) { return std::remainder(angle_rad, 6.283185307179586); }
 
 /// The covariance. A known heading has none, and its row and column count for nothing.
 std::optional<Eigen::Matrix3d> inverse(Eigen::Matrix3d information, const HeadingPrior & prior)
@@ -58,7 +57,7 @@ Eigen::Vector3d prior_pull(const HeadingPrior & prior, double yaw_rad)
     return Eigen::Vector3d::Zero();
   }
   const double variance = prior.sigma_rad * prior.sigma_rad;
-  return {0.0, 0.0, wrapped(prior.yaw_rad - yaw_rad) / variance};
+  return {0.0, 0.0, stetro_site::wrap_angle(prior.yaw_rad - yaw_rad) / variance};
 }
 
 /// The covariance that walls which contradict the others ask for, each left out in its turn.
@@ -93,7 +92,8 @@ Eigen::Matrix3d doubt_of_walls(
 ScannerPose moved(const ScannerPose & pose, const Eigen::Vector3d & step)
 {
   return {
-    pose.position_m + rotation(pose.yaw_rad) * step.head<2>(), wrapped(pose.yaw_rad + step.z())};
+    pose.position_m + rotation(pose.yaw_rad) * step.head<2>(),
+    stetro_site::wrap_angle(pose.yaw_rad + step.z())};
 }
 
 std::optional<Eigen::Vector3d> ProfileAlignment::step(

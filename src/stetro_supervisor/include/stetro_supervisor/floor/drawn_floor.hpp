@@ -75,9 +75,6 @@ private:
   std::shared_ptr<const stetro_site::DistanceField> drivable_;
 };
 
-/// Whether anybody has drawn a floor.
-[[nodiscard]] bool is_drawn(const stetro_site::Floor & floor);
-
 }  // namespace stetro_supervisor
 
 #endif  // STETRO_SUPERVISOR__FLOOR__DRAWN_FLOOR_HPP_
