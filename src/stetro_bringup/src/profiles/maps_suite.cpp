@@ -180,12 +180,13 @@ MapsScore check_trusted(const MapCase & one, const Determination & told)
 void draw_steps(
   const MapCase & one, const std::vector<Eigen::Vector2d> & positions_m, MapsTable & table)
 {
-  const auto * place = one.floor->layer->at(one.truth.position_m);
-  if (place == nullptr) {
+  const stetro_supervisor::UsabilityParams asked;  // as the layer asks, and not a place beside it
+  const auto here =
+    stetro_supervisor::contraction(*one.floor->map, one.truth.position_m, asked.contraction);
+  if (!here) {
     return;
   }
-  const std::size_t kind =
-    place->spectral_radius < 0.5 ? 0 : (place->spectral_radius < 1.0 ? 1 : 2);
+  const std::size_t kind = here->spectral_radius < 0.5 ? 0 : (here->spectral_radius < 1.0 ? 1 : 2);
   for (std::size_t step = 0; step < kDrawnSteps; ++step) {
     // A search that has settled stays where it is.
     const Eigen::Vector2d & at =

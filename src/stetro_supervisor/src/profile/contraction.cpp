@@ -15,7 +15,6 @@
 #include "stetro_supervisor/profile/contraction.hpp"
 
 #include <Eigen/Eigenvalues>
-#include <algorithm>
 #include <vector>
 
 #include "stetro_supervisor/profile/published_centre_of_mass.hpp"
@@ -38,9 +37,6 @@ std::optional<Contraction> contraction(
   std::vector<double> ranges_m;
   const auto centroid_from = [&](const Eigen::Vector2d & at) -> std::optional<Eigen::Vector2d> {
     map.cast(at, fan, params.reach_m, ranges_m);
-    for (double & range : ranges_m) {
-      range = std::min(range, params.reach_m);
-    }
     const auto moments = moments_of(beams, ranges_m);
     return moments ? std::optional<Eigen::Vector2d>(at + moments->centroid_m) : std::nullopt;
   };

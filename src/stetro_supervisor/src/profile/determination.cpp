@@ -39,6 +39,9 @@ constexpr double kJump = 0.75;
 /// A piece shorter than this, of the length asked for, has no direction.
 constexpr double kShortest = 0.6;
 
+/// A direction that no wall tells has this standard deviation [m].
+constexpr double kFreeSigma = 10.0;
+
 /// What one beam tells: the normal of its wall, the lever of the heading, and the weight of both.
 struct Word
 {
@@ -175,6 +178,19 @@ Determination determination(
                        found.worst_direction.transpose() +
                      best * best.transpose() / std::max(axes.eigenvalues()(1), 1e-12);
   return found;
+}
+
+Eigen::Matrix3d widened(
+  Eigen::Matrix3d covariance, const Determination & told, double determined_sigma_m)
+{
+  if (told.worst_sigma_m > determined_sigma_m) {
+    const Eigen::Vector2d & u = told.worst_direction;
+    auto position = covariance.topLeftCorner<2, 2>();
+    const double sigma = std::min(told.worst_sigma_m, kFreeSigma);
+    const double missing = sigma * sigma - u.dot(position * u);
+    position += std::max(0.0, missing) * u * u.transpose();
+  }
+  return covariance;
 }
 
 }  // namespace stetro_supervisor

@@ -27,8 +27,6 @@ namespace
 
 /// Headings are searched this many standard deviations about the believed one.
 constexpr double kYawSigmas = 3.0;
-/// A direction that no wall tells has at least this standard deviation [m].
-constexpr double kFreeSigma = 10.0;
 
 /// Why a check of the profiles may fail at a right place: the floor is not as it was mapped.
 bool is_for_the_ends(NoVerdictReason reason)
@@ -48,6 +46,7 @@ ScanCheckParams scan_check_params(double resolution_m)
   params.noise.wall_correlation_m = 0.5;
   params.descent.reach_m = 12.0;
   params.descent.wall_baseline_m = 6.0 * resolution_m;
+  params.determination.reach_m = params.descent.reach_m;
   return params;
 }
 
@@ -55,7 +54,8 @@ ScanCheck::ScanCheck(
   const stetro_site::ProfileCaster & map, FreeSpace is_free,
   std::shared_ptr<const stetro_site::DistanceField> walls, const ScanCheckParams & params,
   std::shared_ptr<const UsabilityLayer> layer)
-: params_(params),
+: map_(map),
+  params_(params),
   trusted_(map, std::move(is_free), params.noise, params.trust, params.descent),
   ends_(walls ? std::make_unique<const EndMatching>(std::move(walls), params.ends) : nullptr),
   layer_(std::move(layer))
@@ -68,8 +68,14 @@ ProfileFinding ScanCheck::check(const RangeProfile & scan, const Belief & belief
   if (ends_ && finding.verdict == Verdict::kNoVerdict && is_for_the_ends(finding.reason)) {
     ask_ends(scan, belief, finding);
   }
-  if (layer_ && finding.verdict != Verdict::kNoVerdict) {
-    widen(finding);
+  if (finding.verdict == Verdict::kNoVerdict) {
+    return finding;
+  }
+  const Eigen::Vector2d & at = finding.best.pose.position_m;
+  const Determination told = determination(map_, at, params_.determination);
+  finding.best.covariance = widened(finding.best.covariance, told, params_.determined_sigma_m);
+  if (const Usability * place = layer_ ? layer_->at(at) : nullptr) {
+    finding.spectral_radius = place->spectral_radius;
   }
   return finding;
 }
@@ -115,25 +121,6 @@ void ScanCheck::ask_ends(
   finding.reason = finding.best.refused = NoVerdictReason::kNone;
   finding.verdict =
     moved_m <= params_.descent.agrees_within_m ? Verdict::kAgrees : Verdict::kCorrected;
-}
-
-void ScanCheck::widen(ProfileFinding & finding) const
-{
-  const Usability * place = layer_->at(finding.best.pose.position_m);
-  if (place == nullptr) {
-    return;
-  }
-  finding.spectral_radius = place->spectral_radius;
-  if (place->worst_sigma_m <= params_.determined_sigma_m) {
-    return;
-  }
-  const Eigen::Vector2d & u = place->worst_direction;
-  auto position = finding.best.covariance.topLeftCorner<2, 2>();
-  const double known = u.dot(position * u);
-  const double sigma = std::min(place->worst_sigma_m, kFreeSigma);
-  if (sigma * sigma > known) {
-    position += (sigma * sigma - known) * u * u.transpose();
-  }
 }
 
 }  // namespace stetro_supervisor

@@ -76,7 +76,7 @@ const Usability * UsabilityLayer::at(const Eigen::Vector2d & point_m) const
     }
     const Usability & place = of(static_cast<int>(column), static_cast<int>(row));
     const bool asked = !std::isnan(place.spectral_radius);
-    if (asked && (worst == nullptr || place.worst_sigma_m > worst->worst_sigma_m)) {
+    if (asked && (worst == nullptr || place.spectral_radius > worst->spectral_radius)) {
       worst = &place;
     }
   }

@@ -14,7 +14,10 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 #include "stetro_supervisor/profile/contraction.hpp"
+#include "stetro_supervisor/profile/published_centre_of_mass.hpp"
 #include "support/wall_caster.hpp"
 
 namespace stetro_supervisor
@@ -37,6 +40,34 @@ TEST(Contraction, CorridorBeyondReachKnowsNothingLengthwise)
   ASSERT_TRUE(found);
   EXPECT_NEAR(found->jacobian(0, 0), 1.0, 0.02) << "the profile moves along with the scanner";
   EXPECT_LT(found->jacobian(1, 1), 0.5) << "and not across";
+}
+
+// A hall with an open side: a third of the beams meet nothing. From two places on either side of the
+// truth the search's first step leaves errors whose difference is J e.
+TEST(Contraction, IsWhatAStepOfThePublishedSearchLeavesOfAnError)
+{
+  std::vector<stetro_site::Segment> walls = rectangle({0.0, 0.0}, {9.0, 6.0});
+  walls.erase(walls.begin() + 1);  // the side at x = 9
+  for (const auto & side : rectangle({3.0, 3.5}, {4.0, 4.5})) {
+    walls.push_back(side);
+  }
+  const WallCaster hall(walls);
+  constexpr double kStep = 0.2;
+  const Eigen::Vector2d truth{5.5, 2.5};
+  const auto found = contraction(hall, truth, {720, 12.0, kStep});
+  ASSERT_TRUE(found);
+  RangeProfile scan{{0.0, 6.283185307179586 / 720, 720}, {}};
+  hall.cast(truth, scan.fan, 12.0, scan.ranges_m);
+  PublishedLimits once;
+  once.reach_m = 12.0;
+  once.iterations = 1;
+  for (const Eigen::Vector2d & error : {Eigen::Vector2d(kStep, 0.0), Eigen::Vector2d(0.0, kStep)}) {
+    const auto left_of = [&](const Eigen::Vector2d & e) -> Eigen::Vector2d {
+      return published_search(hall, Beams(scan), {truth + e, 0.0}, once).positions_m.back() - truth;
+    };
+    const Eigen::Vector2d left = 0.5 * (left_of(error) - left_of(-error));
+    EXPECT_LT((left - found->jacobian * error).norm(), 1e-9);
+  }
 }
 
 }  // namespace

@@ -81,5 +81,23 @@ TEST(Determination, LegsOfFurnitureAreNoWalls)
   EXPECT_GT(determination(WallCaster(walls), {0.4, 1.2}, {}).worst_sigma_m, 0.1);
 }
 
+TEST(Determination, WidensACovarianceAlongWhatTheMapDoesNotTell)
+{
+  const Eigen::Matrix3d sure = Eigen::Vector3d(1e-6, 4e-6, 1e-6).asDiagonal();
+  Determination told;
+  told.worst_direction = Eigen::Vector2d(0.6, 0.8);
+  told.worst_sigma_m = 0.01;
+  EXPECT_EQ(widened(sure, told, 0.0125), sure) << "the map promises it";
+  told.worst_sigma_m = 0.5;
+  const Eigen::Matrix3d wide = widened(sure, told, 0.0125);
+  const Eigen::Vector2d across(-0.8, 0.6);
+  const Eigen::Matrix2d position = wide.topLeftCorner<2, 2>();
+  EXPECT_NEAR(told.worst_direction.dot(position * told.worst_direction), 0.25, 1e-12);
+  // 0.64 of the 1 mm along x and 0.36 of the 2 mm along y, as before
+  EXPECT_NEAR(across.dot(position * across), 0.64e-6 + 0.36 * 4e-6, 1e-12);
+  told.worst_sigma_m = INFINITY;
+  EXPECT_TRUE(widened(sure, told, 0.0125).allFinite());
+}
+
 }  // namespace
 }  // namespace stetro_supervisor

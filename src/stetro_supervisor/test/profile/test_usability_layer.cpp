@@ -48,7 +48,7 @@ TEST(UsabilityLayer, TellsTheWorstOfThePlacesAbout)
   const UsabilityLayer layer(room.caster(), free, {0.0, 0.0}, {4.0, 3.0}, {});
   const Usability * told = layer.at({2.1, 1.4});
   for (int corner = 0; corner < 4; ++corner) {
-    EXPECT_GE(told->worst_sigma_m, layer.of(8 + (corner & 1), 5 + (corner >> 1)).worst_sigma_m);
+    EXPECT_GE(told->spectral_radius, layer.of(8 + (corner & 1), 5 + (corner >> 1)).spectral_radius);
   }
 }
 

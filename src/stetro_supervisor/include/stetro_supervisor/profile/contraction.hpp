@@ -28,7 +28,7 @@ namespace stetro_supervisor
 struct ContractionParams
 {
   std::size_t beams = 360;
-  double reach_m = 12.0;  ///< what is farther ends there: an open profile is closed by its reach
+  double reach_m = 12.0;  ///< of a beam: one that meets nothing within it is left out
   double step_m = 0.05;   ///< of the differences; some cells on a grid
 };
 
@@ -46,6 +46,9 @@ struct Contraction
  * without obstacles F is the room's own centroid wherever one stands: J = 0, one step. Where
  * the profile moves along with the scanner, as in a corridor longer than the reach, J has an
  * eigenvalue of 1: the centroid knows nothing of that direction.
+ *
+ * Beams that meet nothing are left out as `published_search` leaves them out: closed by the reach
+ * instead, the profile is another one, its J is another, and tells nothing of that search.
  *
  * \return nothing where a profile has no area
  */

@@ -59,6 +59,11 @@ struct Determination
   const stetro_site::ProfileCaster & map, const Eigen::Vector2d & position_m,
   const DeterminationParams & params);
 
+/// A pose's covariance, in the floor's axes, no surer than the map along what it tells worst.
+/** Left alone where the map promises the position to `determined_sigma_m`. */
+[[nodiscard]] Eigen::Matrix3d widened(
+  Eigen::Matrix3d covariance, const Determination & told, double determined_sigma_m);
+
 }  // namespace stetro_supervisor
 
 #endif  // STETRO_SUPERVISOR__PROFILE__DETERMINATION_HPP_

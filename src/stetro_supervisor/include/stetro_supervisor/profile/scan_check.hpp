@@ -20,6 +20,7 @@
 #include "stetro_site/distance_field.hpp"
 #include "stetro_site/profile_caster.hpp"
 #include "stetro_supervisor/profile/beam_noise.hpp"
+#include "stetro_supervisor/profile/determination.hpp"
 #include "stetro_supervisor/profile/end_matching.hpp"
 #include "stetro_supervisor/profile/profile_finding.hpp"
 #include "stetro_supervisor/profile/trusted_centre_of_mass.hpp"
@@ -47,6 +48,7 @@ struct ScanCheckParams
   DescentParams descent;
   EndMatchingParams ends;
   EndTrustParams end_trust;
+  DeterminationParams determination;
   /// A position that the map does not promise this well has a free direction [m].
   double determined_sigma_m = 0.0125;
 };
@@ -63,16 +65,17 @@ struct ScanCheckParams
  *  1. TrustedCentreOfMass: exact, and sure of itself, where the floor is as it was mapped.
  *  2. Where its profiles do not compare, as too much has changed, EndMatching: a place where most
  *     ends lie on walls, clearly better than any other of the area.
- *  3. What the map says of the place (UsabilityLayer, if there is one): along a direction that no
- *     wall tells, the covariance is never less than the map's own bound. A scan on a map of cells
- *     would find one in the steps of its walls.
+ *  3. What the map says of the place that was found (determination): along a direction that no wall
+ *     tells, the covariance is never less than the map's own bound. A scan on a map of cells would
+ *     find one in the steps of its walls.
  *
  * Keeps its memory from check to check; for one thread.
  */
 class ScanCheck
 {
 public:
-  /// \param walls for the ends; null: profiles only \param layer null: not asked
+  /// \param walls for the ends; null: profiles only
+  /// \param layer tells the finding's spectral radius; null: not asked
   ScanCheck(
     const stetro_site::ProfileCaster & map, FreeSpace is_free,
     std::shared_ptr<const stetro_site::DistanceField> walls, const ScanCheckParams & params,
@@ -85,8 +88,8 @@ public:
 
 private:
   void ask_ends(const RangeProfile & scan, const Belief & belief, ProfileFinding & finding) const;
-  void widen(ProfileFinding & finding) const;
 
+  const stetro_site::ProfileCaster & map_;
   ScanCheckParams params_;
   TrustedCentreOfMass trusted_;
   std::unique_ptr<const EndMatching> ends_;

@@ -39,7 +39,7 @@ struct UsabilityParams
 {
   double spacing_m = 0.25;    ///< between the places asked
   double clearance_m = 0.25;  ///< of a place where the body fits; others are not asked
-  ContractionParams contraction{720, 12.0, 0.15};  ///< over more than the cells' own steps
+  ContractionParams contraction{720, 12.0, 0.05};
   DeterminationParams determination;
 };
 
@@ -54,7 +54,7 @@ public:
     const stetro_site::ProfileCaster & map, const stetro_site::FreeSpace & free,
     const Eigen::Vector2d & low_m, const Eigen::Vector2d & high_m, const UsabilityParams & params);
 
-  /// Of the four places about a point the one that tells least; null where none was asked.
+  /// Of the four places about a point the one that contracts least; null where none was asked.
   [[nodiscard]] const Usability * at(const Eigen::Vector2d & point_m) const;
 
   [[nodiscard]] int columns() const noexcept { return columns_; }
