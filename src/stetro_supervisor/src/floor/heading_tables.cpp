@@ -23,21 +23,6 @@ namespace
 {
 
 constexpr double kTurn_rad = 6.283185307179586;
-constexpr double kRounding = 1e-9;
-
-/// As `HeadingSearch`, eq. (1) of `RangeError` and (2) there.
-BeamInterval interval(
-  const ReachTable & table, double range_m, const RangeError & error, double resolution_m)
-{
-  const auto cells = [](double distance) {
-    return static_cast<int>(std::clamp<double>(distance, 0.0, kNoReturn));
-  };
-  const double least_m = (range_m - error.long_m) / (1.0 + error.long_share);
-  const double most_m = (range_m + error.short_m) / (1.0 - error.short_share);
-  return {
-    &table, cells(std::ceil(least_m / resolution_m - kRounding)),
-    cells(std::floor(most_m / resolution_m + 1.0 + kRounding))};
-}
 
 }  // namespace
 
@@ -75,9 +60,10 @@ AgreeingCells HeadingTables::find(const ScanBeams & beams, std::size_t heading)
       tables_[towards].emplace(
         grid_, heading_rad(towards) - grid_.frame().yaw_rad, Eigen::Vector2d(0.0, 0.0));
     }
-    if (std::isfinite(beams.ranges_m[beam])) {
-      asked.push_back(interval(
-        *tables_[towards], beams.ranges_m[beam], beams.beams[beam].error, grid_.resolution_m()));
+    const auto bounds =
+      distance_bounds(beams.ranges_m[beam], beams.beams[beam].error, grid_.resolution_m());
+    if (bounds) {
+      asked.push_back({&*tables_[towards], bounds->shortest, bounds->longest});
     }
   }
   return asked.size() <= kWrongBeams ? AgreeingCells{}

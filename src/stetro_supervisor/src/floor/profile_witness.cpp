@@ -19,6 +19,7 @@
 
 #include "stetro_site/frame_transform.hpp"
 #include "stetro_supervisor/profile/contraction.hpp"
+#include "stetro_supervisor/profile/determination.hpp"
 #include "stetro_supervisor/profile/trusted_centre_of_mass.hpp"
 
 namespace stetro_supervisor
@@ -30,6 +31,8 @@ constexpr double kMisfitCap_m = 0.3;
 constexpr double kContracts = 0.5;  // the centroid's steps halve an error or better
 constexpr double kMostInflation = 10.0;
 constexpr double kGuessRadius_m = 0.5;
+/// A position that the map does not promise this well has a free direction.
+constexpr double kDetermined_m = 0.0125;
 
 BeamNoise noise_of(const stetro_site::Lidar & lidar, const FloorParams & params)
 {
@@ -155,7 +158,13 @@ private:
     const double position_m2 = params.pose_sigma_m * params.pose_sigma_m;
     const double heading_rad2 = params.pose_sigma_rad * params.pose_sigma_rad;
     const Eigen::Vector3d own{position_m2, position_m2, heading_rad2};
-    Eigen::Matrix3d all = inflation * testimony.finding.best.covariance;
+    DeterminationParams given;
+    given.reach_m = lidar.max_range_m;
+    given.noise = noise_of(lidar, params);
+    const Determination told =
+      determination(floor.walls(), testimony.finding.best.pose.position_m, given);
+    Eigen::Matrix3d all =
+      widened(inflation * testimony.finding.best.covariance, told, kDetermined_m);
     // base_link turns about the scanner: the heading's error moves it by its lever arm
     const Eigen::Vector2d lever =
       testimony.found->position_m - testimony.finding.best.pose.position_m;

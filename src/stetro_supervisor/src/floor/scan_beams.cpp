@@ -18,7 +18,7 @@
 #include <array>
 #include <cmath>
 
-#include "stetro_supervisor/four_beams/cell_cluster.hpp"
+#include "stetro_supervisor/four_beams/cell_reach.hpp"
 
 namespace stetro_supervisor
 {
@@ -71,17 +71,28 @@ ScanBeams beams_of(const Scan & scan, const stetro_site::Lidar & lidar, const Fl
 
 bool beams_allow(const DrawnFloor & floor, const ScanBeams & beams, const FloorPlace & place)
 {
-  const auto speaking = static_cast<std::size_t>(std::count_if(
-    beams.ranges_m.begin(), beams.ranges_m.end(), [](double r) { return std::isfinite(r); }));
-  if (speaking < kWrongBeams + 2) {
-    return true;
+  const auto & grid = floor.grid();
+  const auto own = grid.cell_at(place.position_m);
+  const double yaw_rad = place.yaw_rad - grid.frame().yaw_rad;
+  std::array<std::size_t, 9> agreeing{};  // of the place's cell and those about it
+  std::size_t speaking = 0;
+  for (std::size_t i = 0; i < beams.beams.size(); ++i) {
+    const RangeBeam & beam = beams.beams[i];
+    const auto bounds = distance_bounds(beams.ranges_m[i], beam.error, grid.resolution_m());
+    if (!bounds) {
+      continue;
+    }
+    ++speaking;
+    const Eigen::Vector2d shift_cells = rotation(yaw_rad) * beam.origin_m / grid.resolution_m();
+    const CellReach reach(grid, yaw_rad + beam.yaw_rad, shift_cells);
+    for (int near = 0; near < 9; ++near) {
+      const Reach here = reach.from({own.column + near % 3 - 1, own.row + near / 3 - 1});
+      agreeing[static_cast<std::size_t>(near)] +=
+        here.allows(bounds->shortest, bounds->longest) ? 1 : 0;
+    }
   }
-  const HeadingSearch search{floor.grid(), beams.beams, place.yaw_rad};
-  const auto answer = search.find(beams.ranges_m, kWrongBeams);
-  const auto own = floor.grid().cell_at(place.position_m);
-  return std::any_of(answer.cells.cells.begin(), answer.cells.cells.end(), [&](const auto & cell) {
-    return std::abs(cell.column - own.column) <= 1 && std::abs(cell.row - own.row) <= 1;
-  });
+  return speaking < kWrongBeams + 2 ||
+         *std::max_element(agreeing.begin(), agreeing.end()) + kWrongBeams >= speaking;
 }
 
 }  // namespace stetro_supervisor

@@ -93,9 +93,10 @@ void FourBeamIndex::fill_groups(const OccupancyGrid & grid, const Tables & table
     if (is_closed(reach)) {
       ++begin_[group(reach)];
     } else {
-      open_.push_back({reach, grid.cell(offset)});
+      open_.add(reach, grid.cell(offset));
     }
   });
+  open_.sort();
   std::uint32_t end = 0;
   for (std::uint32_t & count : begin_) {
     end += count;
@@ -126,7 +127,7 @@ void FourBeamIndex::find(
   }
   cells.clear();
   find_closed(distances, tolerance, cells);
-  find_open(distances, tolerance, cells);
+  open_.find(distances, tolerance, cells);
 }
 
 void FourBeamIndex::find_closed(
@@ -157,20 +158,6 @@ void FourBeamIndex::find_closed(
           cells.push_back({at->column, at->row});
         }
       }
-    }
-  }
-}
-
-void FourBeamIndex::find_open(
-  const PerAzimuth<int> & distances, int tolerance, std::vector<CellIndex> & cells) const
-{
-  for (const Open & open : open_) {
-    bool possible = true;
-    for (std::size_t i = 0; i < open.reach.size(); ++i) {
-      possible &= open.reach[i].allows(distances[i] - tolerance, distances[i] + tolerance);
-    }
-    if (possible) {
-      cells.push_back(open.cell);
     }
   }
 }

@@ -30,8 +30,6 @@ using stetro_site::OccupancyGrid;
 namespace
 {
 
-constexpr double kRounding = 1e-9;  // intervals are widened by what the arithmetic costs [cells]
-
 void check(const RangeBeam & beam, std::size_t number)
 {
   const auto refuse = [&](const char * name, double value, const char * wanted) {
@@ -57,37 +55,6 @@ void check(const RangeBeam & beam, std::size_t number)
   if (!beam.origin_m.allFinite() || !std::isfinite(beam.yaw_rad)) {
     refuse("yaw_rad", beam.yaw_rad, "a finite angle and a finite origin_m");
   }
-}
-
-/// Between which lengths a beam's axis must be, given what it read [m].
-struct Lengths
-{
-  double least_m = 0.0;
-  double most_m = 0.0;
-};
-
-std::optional<Lengths> true_lengths(double range_m, const RangeError & error)
-{
-  if (std::isnan(range_m)) {
-    return std::nullopt;
-  }
-  if (std::isinf(range_m)) {
-    return range_m > 0.0 ? Lengths{error.dependable_m, range_m} : Lengths{0.0, error.too_near_m};
-  }
-  return Lengths{
-    (range_m - error.long_m) / (1.0 + error.long_share),
-    (range_m + error.short_m) / (1.0 - error.short_share)};
-}
-
-/// Eq. (2).
-BeamInterval interval(const ReachTable & table, const Lengths & lengths, double resolution_m)
-{
-  const auto cells = [](double distance) {
-    return static_cast<int>(std::clamp<double>(distance, 0.0, kNoReturn));
-  };
-  return {
-    &table, cells(std::ceil(lengths.least_m / resolution_m - kRounding)),
-    cells(std::floor(lengths.most_m / resolution_m + 1.0 + kRounding))};
 }
 
 }  // namespace
@@ -129,8 +96,9 @@ std::vector<BeamInterval> HeadingSearch::intervals(const std::vector<double> & r
   }
   std::vector<BeamInterval> beams;
   for (std::size_t i = 0; i < beams_.size(); ++i) {
-    if (const auto lengths = true_lengths(ranges_m[i], beams_[i].error)) {
-      beams.push_back(interval(tables_[i], *lengths, grid_.resolution_m()));
+    const auto bounds = distance_bounds(ranges_m[i], beams_[i].error, grid_.resolution_m());
+    if (bounds) {
+      beams.push_back({&tables_[i], bounds->shortest, bounds->longest});
     }
   }
   return beams;

@@ -142,26 +142,13 @@ TEST(FourBeamIndex, UnknownCellsCannotExclude)
   EXPECT_TRUE(find(index, {1, 1, 1, 2}, 0).empty()) << "that cell is known to be free";
 }
 
-// 20 rooms of 500 queries; half of the rooms have places where nobody looked.
-class RandomQueries : public testing::TestWithParam<int>
+/// Queries of random places, errors within the tolerance: the sets of brute force, with the truth.
+void ask_at_random(const OccupancyGrid & grid, int queries, std::mt19937 & random)
 {
-};
-
-TEST_P(RandomQueries, AnswersWithTheBruteForceSetAndItHoldsTheTruth)
-{
-  std::mt19937 random{static_cast<unsigned>(GetParam())};
-  GridFrame frame;
-  frame.columns = 61;
-  frame.rows = 83;
-  frame.resolution_m = 0.05;
-  RoomContents contents;
-  contents.unknown_patches = GetParam() % 2 == 0 ? 0 : 3;
-  contents.loose_cells = GetParam();
-  const OccupancyGrid grid = random_room(frame, contents, random);
   const FourBeamIndex index(grid);
   const BruteForce brute(grid);
   std::uniform_int_distribution<std::size_t> any(0, brute.cells().size() - 1);
-  for (int query = 0; query < 500; ++query) {
+  for (int query = 0; query < queries; ++query) {
     const std::size_t truth = any(random);
     const int tolerance = query % 4;
     std::uniform_int_distribution<int> error(-tolerance, tolerance);
@@ -180,7 +167,42 @@ TEST_P(RandomQueries, AnswersWithTheBruteForceSetAndItHoldsTheTruth)
   }
 }
 
+// 20 rooms of 500 queries; half of the rooms have places where nobody looked.
+class RandomQueries : public testing::TestWithParam<int>
+{
+};
+
+TEST_P(RandomQueries, AnswersWithTheBruteForceSetAndItHoldsTheTruth)
+{
+  std::mt19937 random{static_cast<unsigned>(GetParam())};
+  GridFrame frame;
+  frame.columns = 61;
+  frame.rows = 83;
+  frame.resolution_m = 0.05;
+  RoomContents contents;
+  contents.unknown_patches = GetParam() % 2 == 0 ? 0 : 3;
+  contents.loose_cells = GetParam();
+  ask_at_random(random_room(frame, contents, random), 500, random);
+}
+
 INSTANTIATE_TEST_SUITE_P(Rooms, RandomQueries, testing::Range(0, 20));
+
+// The largest map of S-G's table 1, then with places nobody looked at.
+TEST(FourBeamIndex, AnswersWithTheBruteForceSetOnALargeMap)
+{
+  GridFrame frame;
+  frame.columns = 402;
+  frame.rows = 721;
+  frame.resolution_m = 0.005;
+  RoomContents contents;
+  contents.grain = 20;
+  std::mt19937 random{12};
+  for (const int unknown_patches : {0, 6}) {
+    contents.unknown_patches = unknown_patches;
+    const OccupancyGrid grid = random_room(frame, contents, random);
+    ask_at_random(grid, 300, random);
+  }
+}
 
 TEST(FourBeamIndex, AnswersNothingToWhatCannotBe)
 {

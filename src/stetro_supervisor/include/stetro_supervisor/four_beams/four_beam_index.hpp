@@ -21,6 +21,7 @@
 
 #include "stetro_site/occupancy_grid.hpp"
 #include "stetro_supervisor/four_beams/azimuth.hpp"
+#include "stetro_supervisor/four_beams/open_cells.hpp"
 #include "stetro_supervisor/four_beams/reach_table.hpp"
 
 namespace stetro_supervisor
@@ -35,8 +36,8 @@ namespace stetro_supervisor
  * tolerance k asks for (2k + 1)^2 pairs and takes out of each group found one stretch for each of
  * 2k + 1 distances west.
  *
- * Cells with a beam into the unknown read no single distance; they are kept apart, with their
- * intervals, and looked through one by one. So the answer is exactly
+ * Cells with a beam into the unknown read no single distance; they are kept apart (`OpenCells`). So
+ * the answer is exactly
  *
  *   { c free : for each azimuth a, first_a(c) <= d_a + k and last_a(c) >= d_a - k }          (1)
  *
@@ -73,12 +74,6 @@ private:
     std::uint16_t row;
   };
 
-  struct Open
-  {
-    PerAzimuth<Reach> reach;
-    stetro_site::CellIndex cell;
-  };
-
   using Tables = PerAzimuth<ReachTable>;
 
   void number_groups(const stetro_site::OccupancyGrid & grid, const Tables & tables);
@@ -86,14 +81,11 @@ private:
   void find_closed(
     const PerAzimuth<int> & distances, int tolerance,
     std::vector<stetro_site::CellIndex> & cells) const;
-  void find_open(
-    const PerAzimuth<int> & distances, int tolerance,
-    std::vector<stetro_site::CellIndex> & cells) const;
 
   std::vector<std::int32_t> first_group_;  // by north + south; -1: no run of that length
   std::vector<std::uint32_t> begin_;       // of each group in closed_, and the end of the last
   std::vector<Closed> closed_;
-  std::vector<Open> open_;
+  OpenCells open_;
 };
 
 }  // namespace stetro_supervisor

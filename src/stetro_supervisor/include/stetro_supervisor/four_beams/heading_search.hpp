@@ -22,27 +22,11 @@
 #include "stetro_site/occupancy_grid.hpp"
 #include "stetro_supervisor/four_beams/beam_search.hpp"
 #include "stetro_supervisor/four_beams/cell_cluster.hpp"
+#include "stetro_supervisor/four_beams/range_error.hpp"
 #include "stetro_supervisor/four_beams/reach_table.hpp"
 
 namespace stetro_supervisor
 {
-
-/// By how much a range may differ from the length D of its beam's axis in the map.
-/**
- *   D (1 - short_share) - short_m <= range <= D (1 + long_share) + long_m                    (1)
- *
- * Shares hold what grows with distance: a sensor's gain, and what its cone sees of an oblique wall
- * nearer than the axis does. The error of the map belongs to the bounds too.
- */
-struct RangeError
-{
-  double short_m = 0.03;      ///< the range is at most this much less than D [m], >= 0
-  double long_m = 0.03;       ///< at most this much more [m], >= 0
-  double short_share = 0.03;  ///< [0, 1)
-  double long_share = 0.03;   ///< >= 0
-  double dependable_m = 1.2;  ///< what is nearer always returns: no return is D >= this [m]
-  double too_near_m = 0.05;   ///< what is farther is never reported as too near [m]
-};
 
 /// A range sensor as it is mounted on the robot.
 struct RangeBeam
@@ -64,10 +48,7 @@ struct PlaceAnswer
 
 /// Finds a robot of one heading on a floor by the ranges it reads, all of which may err.
 /**
- * In cells of size r, ranges of (1) in `RangeError` and reaches of (1) in `ReachTable` agree
- * exactly if shortest <= last and first <= longest with
- *
- *   shortest = ceil(D_least / r),   longest = floor(D_most / r + 1)                            (2)
+ * Ranges agree with reaches as in (2) of `distance_bounds`.
  *
  * So wherever the robot stands in a cell, that cell is in the answer if enough ranges are within
  * their bounds and the map is right where it is not unknown. The heading is taken as it is said: a

@@ -17,39 +17,13 @@
 
 #include <Eigen/Core>
 #include <cstddef>
-#include <cstdint>
-#include <limits>
 #include <vector>
 
 #include "stetro_site/occupancy_grid.hpp"
+#include "stetro_supervisor/four_beams/cell_reach.hpp"
 
 namespace stetro_supervisor
 {
-
-/// A distance in cells; farther than all of them when a beam need not return.
-using CellDistance = std::int16_t;
-constexpr CellDistance kNoReturn = std::numeric_limits<CellDistance>::max();
-
-/// Between which distances a beam's first obstacle lies [cells].
-/**
- * The length L of the beam, in cells, from wherever in the cell it starts, has
- *
- *   first - 1 <= L <= last                                                                   (1)
- *
- * Along a row or a column of known cells first = last: the index difference d of S-G (D4-6), for
- * which L, measured to the obstacle's face, is d - 1/2 -+ 1/2 as the start moves through its cell.
- */
-struct Reach
-{
-  CellDistance first = kNoReturn;
-  CellDistance last = -1;
-
-  /// Whether a measured index difference from `shortest` to `longest` is possible.
-  [[nodiscard]] bool allows(int shortest, int longest) const noexcept
-  {
-    return first <= longest && last >= shortest;
-  }
-};
 
 /// How far a beam in one direction goes from each cell of a grid.
 /**
@@ -59,11 +33,7 @@ struct Reach
  * (unknown blocks, D4-7) is not: its answer can lack the truth. A sensor stands in a free cell; a
  * cell that is not free has the reach that allows nothing.
  *
- * Directions along rows and columns are swept in one pass. Any other is walked cell by cell over
- * the strip that the beams from a cell fill: a square and an obstacle's square seen along the beam
- * have the same width, so each obstacle touched hides one end of the strip or all of it, what
- * is left open is one interval, and the walk ends when that is empty. No rounding to pixels, no
- * sampling: (1) holds for every start in the cell.
+ * Directions along rows and columns are swept in one pass, any other is walked as `CellReach` does.
  *
  * Immutable after construction: one instance may be shared between threads.
  */
@@ -105,7 +75,7 @@ public:
 
 private:
   void sweep(const stetro_site::OccupancyGrid & grid, stetro_site::CellIndex step);
-  void walk(const stetro_site::OccupancyGrid & grid, double heading_rad);
+  void walk(const stetro_site::OccupancyGrid & grid, const CellReach & reach);
 
   std::size_t cells_;
   std::vector<CellDistance> first_;
