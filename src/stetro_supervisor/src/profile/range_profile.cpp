@@ -67,6 +67,8 @@ Beams Beams::thinned(std::size_t count) const
   Beams thin;
   thin.fan_ = fan_;
   thin.fan_.step_rad *= static_cast<double>(stride);
+  thin.ranges_m_.reserve(size() / stride + 1);
+  thin.directions_.reserve(size() / stride + 1);
   for (std::size_t i = 0; i < size(); i += stride) {
     thin.ranges_m_.push_back(ranges_m_[i]);
     thin.directions_.push_back(directions_[i]);

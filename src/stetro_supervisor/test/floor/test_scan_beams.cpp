@@ -60,9 +60,15 @@ protected:
   std::mt19937 random{20260304};
 };
 
-/// By the search of the whole floor.
+/// By the search of the whole floor, where enough of the beams say anything.
 bool searched(const DrawnFloor & floor, const ScanBeams & beams, const FloorPlace & place)
 {
+  const auto speaking = std::count_if(
+    beams.ranges_m.begin(), beams.ranges_m.end(),
+    [](double range) { return std::isfinite(range); });
+  if (speaking < static_cast<std::ptrdiff_t>(kWrongBeams + 2)) {
+    return true;
+  }
   const HeadingSearch search{floor.grid(), beams.beams, place.yaw_rad};
   const auto answer = search.find(beams.ranges_m, kWrongBeams);
   const auto own = floor.grid().cell_at(place.position_m);

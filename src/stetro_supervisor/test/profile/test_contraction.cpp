@@ -42,7 +42,7 @@ TEST(Contraction, CorridorBeyondReachKnowsNothingLengthwise)
   EXPECT_LT(found->jacobian(1, 1), 0.5) << "and not across";
 }
 
-// A hall with an open side: a third of the beams meet nothing. From two places on either side of the
+// A hall with an open side: a third of the beams meet nothing. From places on both sides of the
 // truth the search's first step leaves errors whose difference is J e.
 TEST(Contraction, IsWhatAStepOfThePublishedSearchLeavesOfAnError)
 {
