@@ -149,10 +149,9 @@ void draw(const ProfilePictures & pictures)
   }
 }
 
-void run_recorded(const ProfilesOptions & options, ProfilesReport & report)
+void run_recorded(
+  const ProfilesOptions & options, ProfilesReport & report, ProfilePictures & pictures)
 {
-  ProfilePictures pictures;
-  pictures.folder = options.out;
   if (is_asked(options, "real_maps")) {
     Ticker ticker("real_maps");
     const auto floors = recorded_floors(options.recorded);
@@ -170,9 +169,6 @@ void run_recorded(const ProfilesOptions & options, ProfilesReport & report)
     ticker.done();
     pictures.add_logs(logs, options.seed);
   }
-  if (!options.no_plots) {
-    draw(pictures);
-  }
 }
 
 int run(const ProfilesOptions & options)
@@ -186,11 +182,16 @@ int run(const ProfilesOptions & options)
   ProfilesReport report;
   report.seed = options.seed;
   run_all_rooms(options, report);
+  ProfilePictures pictures;
+  pictures.folder = options.out;
   if (!options.recorded.empty()) {
-    run_recorded(options, report);
+    run_recorded(options, report, pictures);
   }
-  summary << profiles_json(report);
+  summary << profiles_json(report) << std::flush;
   std::cout << '\n' << profiles_table(report) << "\nresults in " << options.out << std::endl;
+  if (!options.recorded.empty() && !options.no_plots) {
+    draw(pictures);
+  }
   return 0;
 }
 
