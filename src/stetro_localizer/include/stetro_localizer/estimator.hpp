@@ -39,6 +39,8 @@ namespace stetro_localizer
 {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+/// An error beyond its protection level counts once it has lasted for longer than this [s].
+constexpr double kTimeToAlert_s = 1.0;
 
 /// Where the robot is on its segment, a flight or a floor. Numbers that are not known are NaN.
 struct StairEstimate
@@ -57,10 +59,12 @@ struct StairEstimate
   std::array<double, 3> block_heights_m{kUnknown, kUnknown, kUnknown};  ///< in the flight frame
   Integrity integrity = Integrity::kLost;
   std::uint32_t reasons = kNotInitialised;   ///< bits of `Reason`
-  double protection_along_m = kUnknown;      ///< bound of the error of x, at `integrity_risk` [m]
+  double protection_along_m = kUnknown;      ///< level of the error of x, at `integrity_risk` [m]
   double protection_across_m = kUnknown;     ///< of y [m]
   double protection_heading_rad = kUnknown;  ///< [rad]
-  double integrity_risk = kUnknown;          ///< that one of them is exceeded unseen, each step
+  /// Probability per step that the error of x, y or heading exceeds its protection level for longer
+  /// than 1 s (`kTimeToAlert_s`) while the state is OK.
+  double integrity_risk = kUnknown;
   std::uint32_t reset_counter = 0;           ///< jumps of the estimate, those before a restart too
   ResetCause reset_cause = ResetCause::kNone;  ///< why it jumped last
   stetro_site::Pose reset_delta;            ///< how far it jumped; NaN where it was unknown before

@@ -31,7 +31,7 @@ enum class Integrity {
 /// Why integrity is not OK: bits, with the values they have on the wire.
 enum Reason : std::uint32_t {
   kNoSideRange = 1u << 0,          ///< y is predicted by the wheels
-  kNoFrontReference = 1u << 1,     ///< the heading, or x on the floor, lacks a riser
+  kNoFrontReference = 1u << 1,     ///< the heading and x lack a riser; by itself no doubt
   kStepUncertain = 1u << 2,        ///< the step evidence is missing or contradicts itself
   kNotInitialised = 1u << 3,       ///< nobody has told the step yet
   kInputSilent = 1u << 4,          ///< an input has stopped

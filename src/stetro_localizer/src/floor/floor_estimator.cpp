@@ -69,7 +69,7 @@ FloorEstimator::FloorEstimator(const LocalizerParams & params, const stetro_site
     capacity_for(params.floor.window_s)),
   now_(model_.begin()),
   watch_(params.silence_s),
-  risk_quantile_(two_sided_quantile(params.fused.integrity_risk))
+  risk_quantile_(protection_quantile(params.fused.integrity_risk))
 {
 }
 

@@ -43,7 +43,7 @@ FusedEstimator::FusedEstimator(
   ranges_(robot, params.fused.steps.bearing_load),
   switches_(robot),
   front_edge_m_(robot.block_x_m(2) + robot.block_length_m / 2.0),
-  risk_quantile_(two_sided_quantile(params.fused.integrity_risk))
+  risk_quantile_(protection_quantile(params.fused.integrity_risk))
 {
 }
 

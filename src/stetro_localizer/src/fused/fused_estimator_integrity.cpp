@@ -77,8 +77,10 @@ void FusedEstimator::refresh_integrity()
   } else {
     reasons |= core.steps.awaiting_blocks() ? std::uint32_t{kNotInitialised} : begin_reasons_;
   }
-  estimate_.reasons = reasons;
   estimate_.integrity = integrity_of(reasons, known);
+  // By itself no doubt: the covariance grows where it is so, and the levels with it.
+  const bool no_riser = known && *core.located_on >= std::max(flight_.steps() - 1, 1);
+  estimate_.reasons = reasons | flag(no_riser, kNoFrontReference);
 }
 
 std::uint32_t FusedEstimator::sensor_reasons() const
@@ -136,11 +138,19 @@ std::uint32_t FusedEstimator::pose_reasons() const
   const FusedCore & core = history_.core();
   const FusedAlerts & alert = params_.fused.alerts;
   std::uint32_t reasons = flag(wall_missed(), kNoSideRange);
+  // Contacts calibrate: those with the walls what tells y, those with a riser what tells the rest.
+  const bool walls = core.wall_touched[0] && core.wall_touched[1];
+  const auto limits = [&alert](bool touched) -> const ProtectionLimits & {
+    return touched ? alert.calibrated : alert.uncalibrated;
+  };
+  const ProtectionLimits & ahead = limits(core.riser_touched);
+  const bool unreferenced = estimate_.protection_along_m > ahead.along_m ||
+                            estimate_.protection_heading_rad > ahead.heading_rad;
+  reasons |= flag(unreferenced, kNoFrontReference);
+  const bool on_stairs = *core.located_on > 0;  // before them a riser will come into sight
   reasons |= flag(
-    estimate_.protection_along_m > alert.along_m ||
-      estimate_.protection_heading_rad > alert.heading_rad,
-    kNoFrontReference);
-  reasons |= flag(estimate_.protection_across_m > alert.across_m, kProtectionExceeded);
+    estimate_.protection_across_m > limits(walls).across_m || (unreferenced && on_stairs),
+    kProtectionExceeded);
   const auto gated = [&core](Source source) {
     return core.reports[source].outcome == Outcome::kGated;
   };

@@ -217,7 +217,7 @@ void LocalizerNode::Parts::tell_changes(const StairEstimate & estimate)
     const bool sound = estimate.integrity == Integrity::kOk;
     node_.log().log(
       sound ? spdlog::level::info : spdlog::level::warn, "step {}, integrity {}{}{}",
-      estimate.step.value_or(-1), to_string(estimate.integrity), sound ? "" : ": ",
+      estimate.step.value_or(-1), to_string(estimate.integrity), estimate.reasons == 0u ? "" : ": ",
       reason_names(estimate.reasons));
     told_integrity_ = estimate.integrity;
     told_step_ = estimate.step;

@@ -38,7 +38,7 @@ TEST(FusedEstimatorIntegrity, SaysThatNoSideRangeIsLeft)
 /// filter's doubt.
 std::array<double, 3> unseen_shares(const StairEstimate & estimate)
 {
-  const double q = two_sided_quantile(FusedParams{}.integrity_risk);
+  const double q = protection_quantile(FusedParams{}.integrity_risk);
   return {
     estimate.protection_along_m - q * std::sqrt(estimate.tread_covariance(0, 0)),
     estimate.protection_across_m - q * std::sqrt(estimate.tread_covariance(1, 1)),
@@ -64,6 +64,50 @@ TEST(FusedEstimatorIntegrity, WhatNothingSeesCountsWhole)
   EXPECT_NEAR(unseen_shares(rig.estimate())[0], 0.020, 1e-12);
   EXPECT_NEAR(unseen_shares(rig.estimate())[1], 0.002, 1e-12);
   EXPECT_NEAR(unseen_shares(rig.estimate())[2], 0.1, 1e-12);
+}
+
+// From a table of the normal distribution: 1.959964 for 5 %, 2.575829 for 1 %.
+TEST(FusedEstimatorIntegrity, ThreeLevelsShareTheRisk)
+{
+  EXPECT_NEAR(protection_quantile(0.15), 1.959964, 1e-6);
+  EXPECT_NEAR(protection_quantile(0.03), 2.575829, 1e-6);
+}
+
+// Sixteen treads: on 15 block 1 stands on the last one, and nothing rises before the front pair.
+TEST(FusedEstimatorIntegrity, NoRiserAheadIsToldAndNoDoubt)
+{
+  for (const int step : {14, 15, 16}) {
+    Rig rig(step, uncalibrated());
+    EXPECT_EQ(rig.estimate().reasons, step == 14 ? 0u : kNoFrontReference) << step;
+    EXPECT_EQ(rig.estimate().integrity, Integrity::kOk) << step;
+  }
+}
+
+// A minute to and fro with nothing ahead: 3 mm/sqrt(s) of slips, 4.15 times 23 mm, and 20 mm.
+TEST(FusedEstimatorIntegrity, ContactsTightenTheLimits)
+{
+  Rig rig(3, uncalibrated());
+  rig.sweep();
+  rig.robot.climb(4);
+  const auto roll_blindly = [&rig] {
+    rig.robot.front_dead = true;
+    for (int i = 0; i < 30; ++i) {
+      rig.robot.drive(0.01, 0.0, 0.0, 1.0);
+      rig.robot.drive(-0.01, 0.0, 0.0, 1.0);
+    }
+  };
+  EXPECT_EQ(rig.estimate().integrity, Integrity::kOk) << reason_names(rig.estimate().reasons);
+  roll_blindly();
+  EXPECT_GT(rig.estimate().protection_along_m, 0.10);
+  EXPECT_LT(rig.estimate().protection_along_m, 0.25);
+  EXPECT_TRUE(rig.estimate().reasons & kProtectionExceeded) << "both switches met riser 4";
+
+  Rig untouched(3, uncalibrated());
+  untouched.sweep();
+  untouched.robot.front_dead = true;
+  untouched.robot.drive(0.01, 0.0, 0.0, 1.0);
+  EXPECT_GT(untouched.estimate().protection_heading_rad, 0.15);
+  EXPECT_FALSE(untouched.estimate().reasons & kProtectionExceeded) << "no riser has told it yet";
 }
 
 // Exact readings repeat themselves, which no live sensor does.

@@ -33,6 +33,13 @@ namespace stetro_localizer
   return (low + high) / 2.0;
 }
 
+/// Standard deviations of the levels along, across and in heading, for the risk of all three.
+/** That one of three errors is beyond its level is at most as likely as the three together. */
+[[nodiscard]] inline double protection_quantile(double integrity_risk)
+{
+  return two_sided_quantile(integrity_risk / 3.0);
+}
+
 }  // namespace stetro_localizer
 
 #endif  // STETRO_LOCALIZER__FUSED__NORMAL_QUANTILE_HPP_
