@@ -164,5 +164,33 @@ TEST(AccuracyJson, OneSidedBoundsAreWhatACleanCampaignClaims)
   EXPECT_GT(undetected["high_95"], 1e-4);
 }
 
+// -ln 0.05 = 2.99573: without any in 29 958 treads the risk is below 1e-4, with 29 957 it is not.
+TEST(AccuracyJson, ClaimsNoRiskThatTheStepsDoNotCarry)
+{
+  const auto shown = [](std::uint64_t treads, std::uint64_t misled) {
+    ClimbScore score;
+    score.stated_risk = 1e-4;
+    score.treads = treads;
+    score.treads_exceeded = misled + 3;
+    score.treads_misled = misled;
+    const AccuracyReport report = report_of(score, "");
+    const bool doubted = summary_table(report).find("do not show") != std::string::npos;
+    auto integrity = nlohmann::json::parse(summary_json(report))["paper"]["integrity"];
+    EXPECT_EQ(doubted, !integrity["risk"]["carried"].get<bool>());
+    return integrity;
+  };
+  const auto few = shown(800, 0);
+  EXPECT_EQ(few["treads_beyond_protection_while_ok"]["times"], 3);
+  EXPECT_EQ(few["treads_beyond_protection_while_ok"]["steps"], 800);
+  EXPECT_EQ(few["treads_beyond_protection_for_1_s"]["times"], 0);
+  EXPECT_EQ(few["risk"]["stated"], 1e-4);
+  EXPECT_NEAR(few["risk"]["at_most_95"], 2.99573 / 800, 1e-8);
+  EXPECT_EQ(few["risk"]["clean_steps_needed"], 29958);
+  EXPECT_FALSE(few["risk"]["carried"]);
+  EXPECT_FALSE(shown(29'957, 0)["risk"]["carried"]);
+  EXPECT_TRUE(shown(29'958, 0)["risk"]["carried"]);
+  EXPECT_FALSE(shown(29'958, 1)["risk"]["carried"]);
+}
+
 }  // namespace
 }  // namespace stetro_bringup

@@ -41,6 +41,9 @@ ClimbRecord climb_with(double y_error_m)
   score.alarms = 1;
   score.steps.checks = 10;
   score.steps.on_stairs = 9;
+  score.treads = 10;
+  score.treads_exceeded = 1;
+  score.stated_risk = 1e-4;
   score.detection = Detection{true, false, true, 12.0, 3.0, 0.8};
   ClimbRecord record;
   record.end = ClimbEnd::kFinished;
@@ -100,6 +103,15 @@ TEST(AccuracyMarkdown, BoundsItsRates)
   EXPECT_TRUE(has_line(text, "| of these, with integrity OK | 0 of 10 | 0 to 3.1e-01 |"));
   EXPECT_TRUE(
     has_line(text, "| false alarms after the first tread | 1 in 9 steps | 2.8e-03 to 6.2e-01 |"));
+  EXPECT_TRUE(has_line(
+    text,
+    "| treads with an error beyond its protection while OK | 1 in 10 steps | 2.5e-03 to "
+    "5.6e-01 |"));
+  EXPECT_TRUE(has_line(text, "| of these, for longer than 1 s | 0 in 10 steps | 0 to 3.7e-01 |"));
+  EXPECT_TRUE(has_line(
+    text,
+    "| integrity risk stated, per step | 1.0e-04 | below 3.0e-01 with 95 % confidence; not "
+    "carried: needs 29958 clean steps |"));
   EXPECT_EQ(text.find("| fault |"), std::string::npos);
 }
 

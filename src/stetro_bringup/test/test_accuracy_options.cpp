@@ -42,6 +42,13 @@ TEST(AccuracyOptions, TheCommandHoldsWhatChangesTheFigures)
     command_of(options),
     "scripts/accuracy --runs 20 --first-seed 1 --estimator both --world as-built "
     "--calibration none --faults dead,stuck --flight stairs");
+  options.faults.clear();
+  options.localizer = "risk.yaml";
+  options.errors = "grey_walls.yaml";
+  EXPECT_EQ(
+    command_of(options),
+    "scripts/accuracy --runs 20 --first-seed 1 --estimator both --world as-built "
+    "--calibration none --flight stairs --localizer risk.yaml --errors grey_walls.yaml");
 }
 
 // -3 would wrap around to 18446744073709551613, and the seeds after it to 0.

@@ -51,7 +51,7 @@ flights:
     wall_overrun_m: 1.0
     pose: {x_m: 0.0, y_m: 0.0, z_m: 0.0, yaw_rad: 0.0}
 )";
-    return read_robot_setup(site, STETRO_ROBOT_FILE, "");
+    return read_robot_setup({site, STETRO_ROBOT_FILE});
   }
 
   const RobotSetup setup_ = three_steps();

@@ -197,6 +197,25 @@ TEST_F(EstimateScorerTest, TimesTheLongestStretchBeyondALevel)
   EXPECT_EQ(score.treads_exceeded, 1u);
 }
 
+// 101 estimates last 1.00 s, which is tolerated; 102 do not.
+TEST_F(EstimateScorerTest, CountsTreadsBeyondALevelForLongerThanASecond)
+{
+  past_the_first_tread();
+  now.estimate.integrity_risk = 1e-4;
+  err_in_y(0.021);
+  tick(101);
+  err_in_y(0.0);
+  tick();
+  stand_on(3);
+  err_in_y(0.021);
+  tick(102);
+  const ClimbScore score = scorer.take();
+  EXPECT_EQ(score.treads, 3u);
+  EXPECT_EQ(score.treads_exceeded, 2u);
+  EXPECT_EQ(score.treads_misled, 1u);
+  EXPECT_EQ(score.stated_risk, 1e-4);
+}
+
 TEST_F(EstimateScorerTest, EachAxisHasItsLevel)
 {
   past_the_first_tread();

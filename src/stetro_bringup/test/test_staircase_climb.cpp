@@ -55,7 +55,7 @@ RobotSetup six_steps(const std::string & exceptions)
                          "    sides: {right: walled, left: walled}\n"
                          "    wall_overrun_m: 1.0\n"
                          "    pose: {x_m: 0.0, y_m: 0.0, z_m: 0.0, yaw_rad: 0.0}\n";
-  return read_robot_setup(site, STETRO_ROBOT_FILE, "");
+  return read_robot_setup({site, STETRO_ROBOT_FILE});
 }
 
 ClimbScore climbed(const RobotSetup & setup, std::uint64_t seed, const char * calibration)

@@ -19,6 +19,7 @@
 #include "accuracy/json_figures.hpp"
 #include "accuracy/noticing.hpp"
 #include "accuracy/proportion.hpp"
+#include "accuracy/risk_shown.hpp"
 
 namespace stetro_bringup
 {
@@ -78,6 +79,18 @@ Json closure_json(const ErrorDistribution & closure)
     {"treads", closure.count()}};
 }
 
+Json risk_json(const EstimatorTotals & totals)
+{
+  const RiskShown risk = risk_shown(totals);
+  return {
+    {"stated", known(risk.stated)},
+    {"times", risk.times},
+    {"steps", risk.steps},
+    {"at_most_95", known(risk.at_most_95)},
+    {"clean_steps_needed", known(risk.clean_steps_needed)},
+    {"carried", risk.carried()}};
+}
+
 Json integrity_json(const EstimatorTotals & totals)
 {
   const ClimbScore & counts = totals.counts;
@@ -89,9 +102,11 @@ Json integrity_json(const EstimatorTotals & totals)
     {"watched_s", 0.01 * static_cast<double>(ticks)},
     {"resets", counts.resets},
     {"treads_not_always_ok", rate(counts.treads_alarmed, counts.treads)},
-    {"treads_beyond_protection_while_ok", rate(counts.treads_exceeded, counts.treads)},
+    {"treads_beyond_protection_while_ok", times_a_step(counts.treads_exceeded, counts.treads)},
+    {"treads_beyond_protection_for_1_s", times_a_step(counts.treads_misled, counts.treads)},
     {"longest_beyond_protection_while_ok_s", totals.longest_exceedance_s},
     {"climbs_beyond_protection_for_1_s", rate(totals.exceeded_climbs, totals.climbs)},
+    {"risk", risk_json(totals)},
     {"estimates_without_value", counts.without_value},
     {"estimates_without_truth", counts.out_of_truth}};
 }

@@ -23,6 +23,7 @@
 #include "accuracy/error_rows.hpp"
 #include "accuracy/noticing.hpp"
 #include "accuracy/proportion.hpp"
+#include "accuracy/risk_shown.hpp"
 
 namespace stetro_bringup
 {
@@ -87,6 +88,26 @@ std::string rate_row(const std::string & name, std::uint64_t count, std::uint64_
   return row({name, out_of(count, of), bounds_of(count, of)});
 }
 
+/// A step may have several; what one step cannot have twice is rare enough to be counted alike.
+std::string times_row(const std::string & name, std::uint64_t times, std::uint64_t steps)
+{
+  const std::string found = std::to_string(times) + " in " + std::to_string(steps) + " steps";
+  return row({name, found, bounds_of(garwood(times, steps))});
+}
+
+std::string risk_row(const RiskShown & risk)
+{
+  const std::string claim =
+    risk.carried()
+      ? "carried by these steps"
+      : "not carried: needs " + number(risk.clean_steps_needed, "%.0f") + " clean steps";
+  return row(
+    {"integrity risk stated, per step", number(risk.stated, "%.1e"),
+     std::isfinite(risk.stated)
+       ? "below " + number(risk.at_most_95, "%.1e") + " with 95 % confidence; " + claim
+       : ""});
+}
+
 std::string origin(const AccuracyReport & report, const Provenance & provenance)
 {
   const ScenarioTotals & climbs = report.overall;
@@ -143,14 +164,13 @@ std::string integrity_table(const EstimatorTotals & totals, bool fault_free)
   text += row({"time DEGRADED", percent(counts.ticks_degraded, ticks), ""});
   text += row({"time LOST", percent(counts.ticks_lost, ticks), ""});
   if (fault_free) {
-    text += row(
-      {"false alarms after the first tread",
-       std::to_string(counts.alarms) + " in " + std::to_string(counts.steps.on_stairs) + " steps",
-       bounds_of(garwood(counts.alarms, counts.steps.on_stairs))});
+    text += times_row("false alarms after the first tread", counts.alarms, counts.steps.on_stairs);
   }
   text += step_rows(counts.steps);
-  text += rate_row(
+  text += times_row(
     "treads with an error beyond its protection while OK", counts.treads_exceeded, counts.treads);
+  text += times_row("of these, for longer than 1 s", counts.treads_misled, counts.treads);
+  text += risk_row(risk_shown(totals));
   text +=
     row({"longest beyond protection while OK", number(totals.longest_exceedance_s) + " s", ""});
   text += row(

@@ -20,6 +20,7 @@
 #include "accuracy/error_rows.hpp"
 #include "accuracy/noticing.hpp"
 #include "accuracy/proportion.hpp"
+#include "accuracy/risk_shown.hpp"
 
 namespace stetro_bringup
 {
@@ -86,6 +87,18 @@ std::string staircase_row(const EstimatorTotals & totals)
     static_cast<double>(totals.deviations_reported));
 }
 
+std::string protection_row(const EstimatorTotals & totals)
+{
+  const RiskShown risk = risk_shown(totals);
+  return line(
+    "  exceeded while OK: on %.0f of %.0f treads, for longer than 1 s on %.0f, %.2f s at most; "
+    "risk "
+    "a step below %.1e (95 %%), stated %.1e%s\n",
+    static_cast<double>(totals.counts.treads_exceeded), static_cast<double>(risk.steps),
+    static_cast<double>(risk.times), totals.longest_exceedance_s, risk.at_most_95, risk.stated,
+    risk.carried() ? "" : ", which so few steps do not show");
+}
+
 std::string trust_rows(const EstimatorTotals & totals, bool fault_free)
 {
   const ClimbScore & counts = totals.counts;
@@ -114,12 +127,11 @@ std::string trust_rows(const EstimatorTotals & totals, bool fault_free)
   }
   if (totals.protection_across_m.count() > 0) {
     text += line(
-      "  protection, median: along %.1f mm, across %.1f mm, heading %.2f deg; exceeded while OK "
-      "for "
-      "%.2f s at most\n",
+      "  protection, median: along %.1f mm, across %.1f mm, heading %.2f deg\n",
       kMillimetres * totals.protection_along_m.percentile(0.5),
       kMillimetres * totals.protection_across_m.percentile(0.5),
-      kDegrees * totals.protection_heading_rad.percentile(0.5), totals.longest_exceedance_s);
+      kDegrees * totals.protection_heading_rad.percentile(0.5));
+    text += protection_row(totals);
   }
   return text;
 }

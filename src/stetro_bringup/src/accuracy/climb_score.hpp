@@ -17,6 +17,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -69,13 +70,15 @@ struct ClimbScore
   std::uint64_t treads = 0;             ///< stood on while the integrity was watched
   std::uint64_t treads_alarmed = 0;     ///< of these, with integrity other than OK at any time
   std::uint64_t treads_exceeded = 0;    ///< of these, with an error beyond its level while OK
+  std::uint64_t treads_misled = 0;      ///< of these, for longer than the time to alert
   double longest_confirmation_s = 0.0;  ///< from a touch-down to its being counted
   std::uint64_t resets = 0;             ///< jumps that the estimate declared
   std::uint64_t without_value = 0;      ///< estimates that lack x, y, z or the heading
   std::uint64_t out_of_truth = 0;       ///< estimates stamped outside the kept truth
   std::uint64_t alarms = 0;             ///< times integrity left OK after the first tread
   StepTally steps;
-  double longest_exceedance_s = 0.0;   ///< error beyond the protection level while OK
+  double longest_exceedance_s = 0.0;  ///< error beyond the protection level while OK
+  double stated_risk = std::numeric_limits<double>::quiet_NaN();  ///< integrity risk, per step
   StaircaseScore staircase;            ///< as found by the end of the climb
   std::optional<Detection> detection;  ///< only when a fault was injected
 };

@@ -96,6 +96,7 @@ void EstimateScorer::watch_integrity(const Moment & now)
   score_.ticks_degraded += integrity == Integrity::kDegraded ? 1 : 0;
   score_.ticks_lost += integrity == Integrity::kLost ? 1 : 0;
   score_.resets = now.estimate.reset_counter;
+  score_.stated_risk = now.estimate.integrity_risk;
   score_.alarms += was_ok_ && !ok && !steps_.first_tread() ? 1 : 0;
   was_ok_ = ok;
   if (now.truth.step != tread_) {
@@ -114,9 +115,11 @@ void EstimateScorer::end_tread()
     ++score_.treads;
     score_.treads_alarmed += alarmed_ ? 1 : 0;
     score_.treads_exceeded += exceeded_ ? 1 : 0;
+    score_.treads_misled += misled_ ? 1 : 0;
   }
   alarmed_ = false;
   exceeded_ = false;
+  misled_ = false;
 }
 
 void EstimateScorer::watch_confirmation(const Moment & now)
@@ -229,6 +232,7 @@ void EstimateScorer::watch_exceedance(const ScoredEstimate & sample, Time stamp)
   }
   exceeded_ = true;
   const double lasted_s = stetro_driver::time_to_seconds(stamp - *exceeds_since_);
+  misled_ = misled_ || lasted_s > stetro_localizer::kTimeToAlert_s;
   score_.longest_exceedance_s = std::max(score_.longest_exceedance_s, lasted_s);
 }
 

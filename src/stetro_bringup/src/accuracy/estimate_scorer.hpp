@@ -76,6 +76,7 @@ private:
   int tread_ = -1;  ///< the tread of the next two
   bool alarmed_ = false;
   bool exceeded_ = false;
+  bool misled_ = false;
   bool confirming_ = false;
   stetro_driver::Time came_down_{0};
 

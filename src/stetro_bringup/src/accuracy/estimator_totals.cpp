@@ -26,7 +26,6 @@ namespace
 {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-constexpr double kToleratedExceedance_s = 1.0;
 
 /// For what may be missing: an estimate need not give levels, and a variance may be no number.
 template <class Sums>
@@ -106,7 +105,8 @@ void EstimatorTotals::add(const ClimbScore & score)
   add_counts(score);
   longest_confirmation_s = std::max(longest_confirmation_s, score.longest_confirmation_s);
   longest_exceedance_s = std::max(longest_exceedance_s, score.longest_exceedance_s);
-  exceeded_climbs += score.longest_exceedance_s > kToleratedExceedance_s ? 1 : 0;
+  stated_risk = std::fmax(stated_risk, score.stated_risk);  // of what is known
+  exceeded_climbs += score.longest_exceedance_s > stetro_localizer::kTimeToAlert_s ? 1 : 0;
   if (score.detection && score.detection->never_ok) {
     ++never_ok;
   } else if (score.detection && score.detection->struck) {
@@ -122,6 +122,7 @@ void EstimatorTotals::add_counts(const ClimbScore & score)
   counts.treads += score.treads;
   counts.treads_alarmed += score.treads_alarmed;
   counts.treads_exceeded += score.treads_exceeded;
+  counts.treads_misled += score.treads_misled;
   counts.resets += score.resets;
   counts.without_value += score.without_value;
   counts.out_of_truth += score.out_of_truth;

@@ -16,6 +16,7 @@
 #define ACCURACY__ESTIMATOR_TOTALS_HPP_
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "accuracy/climb_score.hpp"
@@ -118,6 +119,8 @@ public:
   double longest_confirmation_s = 0.0;
   double longest_exceedance_s = 0.0;
   std::uint64_t exceeded_climbs = 0;  ///< with an exceedance of more than a second
+  /// Integrity risk that the estimates state, per step; NaN: none.
+  double stated_risk = std::numeric_limits<double>::quiet_NaN();
   ClimbScore counts;  ///< the sums of the counters of all climbs; nothing else of it is used
   std::vector<Detection> detections;  ///< of the faults that struck and could be noticed
   std::uint64_t never_ok = 0;         ///< faults that struck an estimate not OK to the end

@@ -133,7 +133,8 @@ int run(AccuracyOptions options)
     options.robot = shipped_file("robot/stetro.yaml");
   }
   const auto scenarios = chosen_scenarios(options.faults);
-  const RobotSetup setup = read_robot_setup(options.site, options.robot, options.flight);
+  const RobotSetup setup = read_robot_setup(
+    {options.site, options.robot, options.flight, options.localizer, options.errors});
   const auto orders = orders_of(options, scenarios, setup.flight().steps());
   std::filesystem::create_directories(options.out);
   std::ofstream markdown;

@@ -57,6 +57,12 @@ void add_options(CLI::App & app, AccuracyOptions & options)
     ->default_str("the papers' staircase");
   app.add_option("--flight", options.flight, "id of the flight to climb")
     ->default_str("the only one of the site");
+  app.add_option("--localizer", options.localizer, "file of the localizer's parameters")
+    ->check(CLI::ExistingFile)
+    ->default_str("its defaults");
+  app.add_option("--errors", options.errors, "file of the simulator's errors, tof_gain_std: 0.04")
+    ->check(CLI::ExistingFile)
+    ->default_str("its defaults");
   app.add_option("--out", options.out, "folder of the results")->capture_default_str();
   app.add_option("--jobs", options.jobs, "climbs at a time; 0: as many as cores")
     ->check(CLI::Range(0, 256))
@@ -91,6 +97,8 @@ std::string command_of(const AccuracyOptions & options)
   add("robot", options.robot);
   add("site", options.site);
   add("flight", options.flight);
+  add("localizer", options.localizer);
+  add("errors", options.errors);
   return command;
 }
 

@@ -36,6 +36,8 @@ struct AccuracyOptions
   std::string robot;                    ///< empty: the papers' robot
   std::string site;                  ///< what the software believes; empty: the papers' staircase
   std::string flight;                ///< id; empty: the only one of the site
+  std::string localizer;             ///< file of its parameters; empty: its defaults
+  std::string errors;                ///< file of the simulator's errors; empty: its defaults
   std::string out = "out/accuracy";  ///< folder of the results
   unsigned jobs = 0;                 ///< threads; 0: as many as cores
   bool no_plots = false;

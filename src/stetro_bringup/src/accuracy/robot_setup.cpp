@@ -14,34 +14,48 @@
 
 #include "accuracy/robot_setup.hpp"
 
+#include <utility>
+
+#include "stetro_config/loader.hpp"
+
 namespace stetro_bringup
 {
 namespace
 {
 
 template <class Params>
-Params params_for(
-  const std::string & site_file, const std::string & robot_file, const std::string & flight)
+Params loaded(const std::string & path, Params defaults, stetro_config::Faults & faults)
 {
-  Params params;
-  params.site_file = site_file;
-  params.robot_file = robot_file;
-  params.flight = flight;
+  stetro_config::Loader<Params> loader(std::move(defaults));
+  if (!path.empty()) {
+    loader.read_file(path);
+  }
+  return loader.finish(faults);
+}
+
+/// Site, robot and flight are those of the command line, whatever a file of parameters says.
+template <class Params>
+Params with_files(Params params, const SetupFiles & files)
+{
+  params.site_file = files.site;
+  params.robot_file = files.robot;
+  params.flight = files.flight;
   return params;
 }
 
 }  // namespace
 
-RobotSetup read_robot_setup(
-  const std::string & site_file, const std::string & robot_file, const std::string & flight)
+RobotSetup read_robot_setup(const SetupFiles & files)
 {
   stetro_config::Faults faults;
-  auto driver = stetro_driver::read_setup(
-    params_for<stetro_driver::DriverParams>(site_file, robot_file, flight), faults);
-  auto localizer = stetro_localizer::read_setup(
-    params_for<stetro_localizer::LocalizerParams>(site_file, robot_file, flight), faults);
-  auto supervisor = stetro_supervisor::read_setup(
-    params_for<stetro_supervisor::SupervisorParams>(site_file, robot_file, flight), faults);
+  stetro_driver::DriverParams driving;
+  driving.sim.errors = loaded(files.errors, stetro_driver::SimErrors{}, faults);
+  const auto locating =
+    loaded(files.localizer, with_files(stetro_localizer::LocalizerParams{}, files), faults);
+  auto driver = stetro_driver::read_setup(with_files(driving, files), faults);
+  auto localizer = stetro_localizer::read_setup(with_files(locating, files), faults);
+  auto supervisor =
+    stetro_supervisor::read_setup(with_files(stetro_supervisor::SupervisorParams{}, files), faults);
   faults.throw_if_any();
   return {driver.value(), localizer.value(), supervisor.value()};
 }

@@ -24,7 +24,17 @@
 namespace stetro_bringup
 {
 
-/// What driver, localizer and supervisor are made of, with default parameters.
+/// Where a setup is read from.
+struct SetupFiles
+{
+  std::string site;
+  std::string robot;
+  std::string flight{};     ///< id; empty: the only one of the site
+  std::string localizer{};  ///< the localizer's parameters that are not its defaults; empty: none
+  std::string errors{};     ///< the simulator's errors that are not its defaults; empty: none
+};
+
+/// What driver, localizer and supervisor are made of.
 /** Read once; any number of climbs may share it between threads. */
 struct RobotSetup
 {
@@ -36,10 +46,9 @@ struct RobotSetup
   [[nodiscard]] const stetro_site::Flight & flight() const { return localizer.flight; }
 };
 
-/// Reads the files. \param flight id; empty: the only one of the site
-/** \throws stetro_config::ConfigError with every fault of both files and of their fit */
-[[nodiscard]] RobotSetup read_robot_setup(
-  const std::string & site_file, const std::string & robot_file, const std::string & flight);
+/// Reads the files.
+/** \throws stetro_config::ConfigError with every fault of the files and of their fit */
+[[nodiscard]] RobotSetup read_robot_setup(const SetupFiles & files);
 
 }  // namespace stetro_bringup
 
