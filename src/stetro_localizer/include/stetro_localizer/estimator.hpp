@@ -65,7 +65,7 @@ struct StairEstimate
   /// Probability per step that the error of x, y or heading exceeds its protection level for longer
   /// than 1 s (`kTimeToAlert_s`) while the state is OK.
   double integrity_risk = kUnknown;
-  std::uint32_t reset_counter = 0;           ///< jumps of the estimate, those before a restart too
+  std::uint32_t reset_counter = 0;  ///< jumps of the estimate, those before a restart too
   ResetCause reset_cause = ResetCause::kNone;  ///< why it jumped last
   stetro_site::Pose reset_delta;            ///< how far it jumped; NaN where it was unknown before
   std::optional<double> measured_x_m;       ///< x by the front pair (D1-13) [m]
