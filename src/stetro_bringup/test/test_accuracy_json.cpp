@@ -169,6 +169,10 @@ TEST(AccuracyJson, ClaimsNoRiskThatTheStepsDoNotCarry)
 {
   const auto shown = [](std::uint64_t treads, std::uint64_t misled) {
     ClimbScore score;
+    ScoredEstimate sample;
+    sample.step = 2;
+    sample.protection = {0.01, 0.01, 0.01};
+    score.samples = {sample};
     score.stated_risk = 1e-4;
     score.treads = treads;
     score.treads_exceeded = misled + 3;

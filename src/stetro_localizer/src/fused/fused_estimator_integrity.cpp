@@ -28,6 +28,12 @@ constexpr double kRecent = 0.5;  // a correction this young still counts [s]
 
 std::uint32_t flag(bool raised, std::uint32_t reason) { return raised ? reason : 0u; }
 
+/// Block 1 stands on the last tread or beyond it: nothing rises before the front pair.
+bool no_riser_ahead(const FusedCore & core, const stetro_site::Flight & flight)
+{
+  return core.located_on && *core.located_on >= std::max(flight.steps() - 1, 1);
+}
+
 }  // namespace
 
 bool FusedEstimator::recent(Ranger ranger) const
@@ -79,8 +85,7 @@ void FusedEstimator::refresh_integrity()
   }
   estimate_.integrity = integrity_of(reasons, known);
   // By itself no doubt: the covariance grows where it is so, and the levels with it.
-  const bool no_riser = known && *core.located_on >= std::max(flight_.steps() - 1, 1);
-  estimate_.reasons = reasons | flag(no_riser, kNoFrontReference);
+  estimate_.reasons = reasons | flag(no_riser_ahead(core, flight_), kNoFrontReference);
 }
 
 std::uint32_t FusedEstimator::sensor_reasons() const
@@ -138,18 +143,13 @@ std::uint32_t FusedEstimator::pose_reasons() const
   const FusedCore & core = history_.core();
   const FusedAlerts & alert = params_.fused.alerts;
   std::uint32_t reasons = flag(wall_missed(), kNoSideRange);
-  // Contacts calibrate: those with the walls what tells y, those with a riser what tells the rest.
-  const bool walls = core.wall_touched[0] && core.wall_touched[1];
-  const auto limits = [&alert](bool touched) -> const ProtectionLimits & {
-    return touched ? alert.calibrated : alert.uncalibrated;
-  };
-  const ProtectionLimits & ahead = limits(core.riser_touched);
-  const bool unreferenced = estimate_.protection_along_m > ahead.along_m ||
-                            estimate_.protection_heading_rad > ahead.heading_rad;
+  const bool unreferenced = estimate_.protection_along_m > alert.along_m ||
+                            estimate_.protection_heading_rad > alert.heading_rad;
   reasons |= flag(unreferenced, kNoFrontReference);
-  const bool on_stairs = *core.located_on > 0;  // before them a riser will come into sight
+  // Where that reason alone is no doubt, it does not say what is.
   reasons |= flag(
-    estimate_.protection_across_m > limits(walls).across_m || (unreferenced && on_stairs),
+    estimate_.protection_across_m > alert.across_m ||
+      (unreferenced && no_riser_ahead(core, flight_)),
     kProtectionExceeded);
   const auto gated = [&core](Source source) {
     return core.reports[source].outcome == Outcome::kGated;

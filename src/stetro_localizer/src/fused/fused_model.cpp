@@ -250,8 +250,6 @@ void FusedModel::locate(FusedCore & core, int step) const
   core.rise_m = flight_.tread_z_m(step);
   filter.begin_edge(step * squared(prior.tread_m), step == 0 ? 0.0 : squared(prior.tread_m));
   core.left_behind = {};  // it may have been another step
-  core.wall_touched = {};
-  core.riser_touched = false;
   begin_gauge(core);
   core.located_on = step;
   for (SlipWatch & watch : core.slips) {

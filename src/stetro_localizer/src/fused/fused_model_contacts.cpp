@@ -76,11 +76,9 @@ void FusedModel::take_bumpers(FusedCore & core, Side side, const ContactSample &
       first = false;
     }
     take_suspected_slip(core, kStateY);
-    const Outcome outcome = use_contact(
+    use_contact(
       core, left ? Source::kBumperLeft : Source::kBumperRight, gap(), kStateY,
       squared(params_.fused.noise.bumper_m));
-    bool & touched = core.wall_touched[left ? 0 : 1];
-    touched = touched || outcome == Outcome::kFused;
   }
 }
 
@@ -117,7 +115,6 @@ void FusedModel::take_riser_switch(FusedCore & core, Side side, const ContactSam
   if (
     outcome == Outcome::kFused && sample.riser_left.is_closed() && sample.riser_right.is_closed()) {
     core.doubted[kStateYaw] = false;  // one alone tells x
-    core.riser_touched = true;
   }
 }
 

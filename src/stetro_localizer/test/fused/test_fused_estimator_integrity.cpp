@@ -85,25 +85,6 @@ TEST(FusedEstimatorIntegrity, NoRiserAheadIsToldAndNoDoubt)
   EXPECT_EQ(rig.estimate().integrity, Integrity::kOk);
 }
 
-// A minute to and fro with nothing ahead: 3 mm/sqrt(s) of slips, 4.15 times 23 mm, and 20 mm.
-TEST(FusedEstimatorIntegrity, ContactsTightenTheLimits)
-{
-  Rig rig(3, uncalibrated());
-  EXPECT_GT(rig.estimate().protection_heading_rad, 0.15);
-  EXPECT_EQ(rig.estimate().integrity, Integrity::kOk) << "no riser has told the heading yet";
-  rig.sweep();
-  rig.robot.climb(3);
-  EXPECT_EQ(rig.estimate().integrity, Integrity::kOk) << reason_names(rig.estimate().reasons);
-  rig.robot.front_dead = true;
-  for (int i = 0; i < 30; ++i) {
-    rig.robot.drive(0.01, 0.0, 0.0, 1.0);
-    rig.robot.drive(-0.01, 0.0, 0.0, 1.0);
-  }
-  EXPECT_GT(rig.estimate().protection_along_m, 0.10);
-  EXPECT_LT(rig.estimate().protection_along_m, 0.25);
-  EXPECT_TRUE(rig.estimate().reasons & kProtectionExceeded) << "both switches met riser 5";
-}
-
 // Exact readings repeat themselves, which no live sensor does.
 TEST(FusedEstimatorIntegrity, SaysThatASensorIsStuck)
 {

@@ -70,8 +70,6 @@ struct FusedCore
   bool blocks_moving = false;
   ContactSample contacts;                                 ///< the last one
   std::array<std::array<Nanoseconds, 4>, 2> closed_at{};  ///< bumpers and switch, left and right
-  std::array<bool, 2> wall_touched{};  ///< a bumper has told y, left and right, since located
-  bool riser_touched = false;          ///< both riser switches together have told x and heading
   RangeSample last_ranges;     ///< the last reading of each place; it counts while it is young
   Nanoseconds wheels_time{0};  ///< of the last wheel speeds
   bool wheels_silent = false;  ///< for so long that their speeds count no more

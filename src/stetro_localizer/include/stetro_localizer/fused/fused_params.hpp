@@ -51,21 +51,12 @@ struct FusedNoise
   double clipped_share = 0.03;     ///< of the range, when the cone takes in more than the riser [-]
 };
 
-/// Protection levels beyond which the pose is not OK.
-struct ProtectionLimits
-{
-  double along_m;
-  double across_m;
-  double heading_rad;
-};
-
 /// What is watched, and what counts as too much.
 struct FusedAlerts
 {
-  ProtectionLimits uncalibrated{0.25, 0.10, 0.45};  ///< before the contacts below
-  /// Across: once bumpers have met both walls; along and of the heading: once both riser switches
-  /// have met a riser together. Until the robot is located anew.
-  ProtectionLimits calibrated{0.10, 0.06, 0.15};
+  double along_m = 0.25;              ///< protection level of x that is not OK [m]
+  double across_m = 0.10;             ///< of y [m]
+  double heading_rad = 0.45;          ///< of the heading, 26 deg: before any calibration [rad]
   double unnoticed_slip_m = 0.002;    ///< of it no measurement tells yet [m]
   double unseen_slip_m = 0.02;        ///< the same where nothing is in sight that could tell [m]
   double unnoticed_turn_rad = 0.006;  ///< of it no measurement tells yet [rad]
@@ -100,15 +91,6 @@ struct FusedParams
   /// than 1 s while the state is OK [-].
   double integrity_risk = 1e-4;
 };
-
-template <class Visitor>
-void visit_limits(ProtectionLimits & most, Visitor && each)
-{
-  using stetro_config::Within;
-  each("along_m", most.along_m, Within{0.001, 1.0}, "protection level along, above it not OK [m]");
-  each("across_m", most.across_m, Within{0.001, 1.0}, "the same across [m]");
-  each("heading_rad", most.heading_rad, Within{0.001, 1.0}, "the same of the heading [rad]");
-}
 
 template <class Visitor>
 void visit(FusedParams & p, Visitor && each)
@@ -147,8 +129,9 @@ void visit(FusedParams & p, Visitor && each)
   each("noise.clipped_share", noise.clipped_share, Within{0.0, 1.0}, "cone beyond the riser [-]");
   visit_step_filter(p.steps, stetro_config::Group("steps", each));
   FusedAlerts & alert = p.alerts;
-  visit_limits(alert.uncalibrated, stetro_config::Group("alerts.uncalibrated", each));
-  visit_limits(alert.calibrated, stetro_config::Group("alerts.calibrated", each));
+  each("alerts.along_m", alert.along_m, Within{0.001, 1.0}, "protection level along [m]");
+  each("alerts.across_m", alert.across_m, Within{0.001, 1.0}, "protection level across [m]");
+  each("alerts.heading_rad", alert.heading_rad, Within{0.001, 1.0}, "and of the heading [rad]");
   each(
     "alerts.unnoticed_slip_m", alert.unnoticed_slip_m, Within{0.0, 0.1},
     "what a slip does before it is noticed [m]");
