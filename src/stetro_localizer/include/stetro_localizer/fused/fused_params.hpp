@@ -55,7 +55,7 @@ struct FusedNoise
 struct FusedAlerts
 {
   double along_m = 0.25;              ///< protection level of x that is not OK [m]
-  double across_m = 0.10;             ///< of y [m]
+  double across_m = 0.11;             ///< of y [m]
   double heading_rad = 0.45;          ///< of the heading, 26 deg: before any calibration [rad]
   double unnoticed_slip_m = 0.002;    ///< of it no measurement tells yet [m]
   double unseen_slip_m = 0.02;        ///< the same where nothing is in sight that could tell [m]
