@@ -16,11 +16,15 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
 #include <system_error>
+#include <variant>
+#include <vector>
 
+#include "stetro_driver/sim_faults.hpp"
 #include "stetro_driver/sim_robot.hpp"
 #include "stetro_driver/site_shape.hpp"
 #include "stetro_site/fit.hpp"
@@ -64,6 +68,26 @@ void check_start(const DriverSetup & setup, stetro_config::Faults & faults)
   }
 }
 
+void check_floors_of_faults(const DriverSetup & setup, stetro_config::Faults & faults)
+{
+  std::string accepted = "one of";
+  std::vector<std::string> drawn;
+  for (const stetro_site::Floor & floor : setup.site.floors()) {
+    if (!std::holds_alternative<std::monostate>(floor.drawing)) {
+      drawn.push_back(floor.id);
+      accepted += " " + floor.id;
+    }
+  }
+  for (const SimFault & fault : sim_options(setup.params).faults) {
+    const bool known = std::find(drawn.begin(), drawn.end(), fault.device) != drawn.end();
+    if (fault.is_on_floor() && !known) {
+      faults.refuse(
+        "sim.faults", "kidnap:" + fault.device,
+        drawn.empty() ? "no floor, as the site draws none" : accepted);
+    }
+  }
+}
+
 void check_snapshot_file(const std::string & file, stetro_config::Faults & faults)
 {
   if (file.empty()) {
@@ -96,6 +120,7 @@ SimOptions sim_options(const DriverSetup & setup)
 void check(const DriverSetup & setup, stetro_config::Faults & faults)
 {
   check_start(setup, faults);
+  check_floors_of_faults(setup, faults);
   check_snapshot_file(setup.params.sim.snapshot_file, faults);
 }
 

@@ -47,6 +47,16 @@ TEST(DriverSetup, RefusesAStartInsideAWall)
   EXPECT_NE(faults[0].accepted.find("side wall"), std::string::npos) << faults[0].accepted;
 }
 
+TEST(DriverSetup, RefusesAKidnapOnAFloorThatNobodyHasDrawn)
+{
+  DriverParams params;
+  params.sim.faults = "kidnap:ground@1";
+  const auto faults = faults_of(params);
+  ASSERT_EQ(faults.size(), 1u);
+  EXPECT_EQ(faults[0].name, "sim.faults");
+  EXPECT_EQ(faults[0].value, "kidnap:ground");
+}
+
 TEST(DriverSetup, RefusesASnapshotWhereNoFileCanBe)
 {
   DriverParams params;

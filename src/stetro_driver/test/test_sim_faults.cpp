@@ -50,6 +50,16 @@ TEST(SimFaults, ReadsTheGrammar)
   EXPECT_TRUE(parse_sim_faults("  ").empty());
 }
 
+TEST(SimFaults, AKidnapMayBeOfOneFloor)
+{
+  const auto faults = parse_sim_faults("kidnap:landing@2.5,kidnap@7");
+  ASSERT_EQ(faults.size(), 2u);
+  EXPECT_TRUE(faults[0].is_on_floor());
+  EXPECT_EQ(faults[0].device, "landing");
+  EXPECT_EQ(faults[0].from_s, 2.5);
+  EXPECT_FALSE(faults[1].is_on_floor());
+}
+
 TEST(SimFaults, RefusesWhatItDoesNotKnowAndListsWhatItDoes)
 {
   const char * const wrong[] = {

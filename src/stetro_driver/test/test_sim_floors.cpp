@@ -311,6 +311,24 @@ TEST(SimFloors, AKidnapStaysOnTheFloorAndClearOfEverything)
   }
 }
 
+// Standing does not count, nor does what is driven on other floors.
+TEST(SimFloors, AKidnapOfAFloorAwaitsTheDrivingThere)
+{
+  SimOptions options = standing_at(-2.0, 1.0);
+  options.faults = parse_sim_faults("kidnap:ground@1,kidnap:landing@0.5");
+  SimRobot robot{two_floors(), {}, options};
+  Pilot pilot{robot};
+  pilot.during({}, 5.0);
+  pilot.roll(0.2, 0.9);
+  EXPECT_NEAR(robot.truth().in_map.x_m, 3.18, 1e-6) << "5 m - 2 m and what it rolled";
+  pilot.roll(0.2, 0.2);
+  const GroundTruth carried = robot.truth();
+  EXPECT_GE(std::hypot(carried.in_map.x_m - 3.2, carried.in_map.y_m - 1.0), 0.9);
+  EXPECT_EQ(carried.segment, "ground");
+  pilot.during({}, 2.0);
+  EXPECT_EQ(robot.truth().in_map.x_m, carried.in_map.x_m) << "once";
+}
+
 TEST(SimFloors, AKidnapOnTheStairsIsAlongTheTread)
 {
   SimOptions options = standing_at(0.235, 1.0);

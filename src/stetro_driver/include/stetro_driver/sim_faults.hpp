@@ -46,10 +46,16 @@ enum class SimFaultKind {
 struct SimFault
 {
   SimFaultKind kind = SimFaultKind::kDead;
-  std::string device;  ///< range sensor, switch or "gyro"; empty when the kind has none
-  double from_s = 0.0;
-  double until_s = std::numeric_limits<double>::infinity();  ///< since the simulation's start [s]
+  std::string device;   ///< range sensor, switch, "gyro" or floor; empty when the kind has none
+  double from_s = 0.0;  ///< since the simulation's start; driven on the floor, if there is one [s]
+  double until_s = std::numeric_limits<double>::infinity();  ///< the same [s]
   double value = 0.0;                                        ///< what sim_faults_help() says
+
+  /// Of a kidnap: the only floor on which it happens, and whose driving is its clock.
+  [[nodiscard]] bool is_on_floor() const
+  {
+    return kind == SimFaultKind::kKidnap && !device.empty();
+  }
 };
 
 /// Reads a list such as `dead:front_left@120, slip@60=0.02`.

@@ -30,7 +30,7 @@ FaultInjector::FaultInjector(std::vector<SimFault> faults)
 const SimFault * FaultInjector::acting(SimFaultKind kind, std::string_view device) const
 {
   for (const Due & due : faults_) {
-    if (due.fault.kind == kind && due.fault.device == device && in_time(due.fault)) {
+    if (due.fault.kind == kind && due.fault.device == device && in_time(due)) {
       return &due.fault;
     }
   }
@@ -40,7 +40,7 @@ const SimFault * FaultInjector::acting(SimFaultKind kind, std::string_view devic
 const SimFault * FaultInjector::strike(SimFaultKind kind)
 {
   for (Due & due : faults_) {
-    if (due.fault.kind == kind && !due.struck && in_time(due.fault)) {
+    if (due.fault.kind == kind && !due.struck && in_time(due)) {
       due.struck = true;
       return &due.fault;
     }
@@ -51,13 +51,23 @@ const SimFault * FaultInjector::strike(SimFaultKind kind)
 bool FaultInjector::pending(SimFaultKind kind) const
 {
   return std::any_of(faults_.begin(), faults_.end(), [&](const Due & due) {
-    return due.fault.kind == kind && !due.struck && in_time(due.fault);
+    return due.fault.kind == kind && !due.struck && in_time(due);
   });
 }
 
-bool FaultInjector::in_time(const SimFault & fault) const
+void FaultInjector::drive(std::string_view floor, double time_s)
 {
-  return elapsed_s_ >= fault.from_s && elapsed_s_ < fault.until_s;
+  for (Due & due : faults_) {
+    if (due.fault.is_on_floor() && due.fault.device == floor) {
+      due.driven_s += time_s;
+    }
+  }
+}
+
+bool FaultInjector::in_time(const Due & due) const
+{
+  const double clock_s = due.fault.is_on_floor() ? due.driven_s : elapsed_s_;
+  return clock_s >= due.fault.from_s && clock_s < due.fault.until_s;
 }
 
 }  // namespace stetro_driver::sim

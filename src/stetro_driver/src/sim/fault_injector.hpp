@@ -32,6 +32,9 @@ public:
   /// \param elapsed_s since the simulation's start
   void advance(double elapsed_s) { elapsed_s_ = elapsed_s; }
 
+  /// The robot has driven on a floor for so long.
+  void drive(std::string_view floor, double time_s);
+
   /// The fault of this kind that acts on a device now; nullptr when there is none.
   [[nodiscard]] const SimFault * acting(SimFaultKind kind, std::string_view device = {}) const;
 
@@ -51,7 +54,7 @@ public:
   void archive(Archive & each)
   {
     for (Due & due : faults_) {
-      each(due.struck);
+      each(due.struck, due.driven_s);
     }
   }
 
@@ -60,8 +63,9 @@ private:
   {
     SimFault fault;
     bool struck = false;
+    double driven_s = 0.0;  // on its floor, if it has one
   };
-  [[nodiscard]] bool in_time(const SimFault & fault) const;
+  [[nodiscard]] bool in_time(const Due & due) const;
 
   std::vector<Due> faults_;
   double elapsed_s_ = 0.0;

@@ -34,6 +34,7 @@ enum class Strikes {
   kRangesAndGyro,
   kGyro,
   kAnyDevice,
+  kFloors,
 };
 
 struct Entry
@@ -71,8 +72,9 @@ constexpr std::array<Entry, 14> kEntries{{
    "the next touch-down of block 2 shows twice"},
   {"old_tread", SimFaultKind::kOldTread, Strikes::kNobody, false, 0, 0, 0,
    "block 2 comes down on the tread it left, and block3_front says otherwise"},
-  {"kidnap", SimFaultKind::kKidnap, Strikes::kNobody, true, 0.3, -2, 2,
-   "the robot is carried so many metres to the left; on a floor anywhere else on it"},
+  {"kidnap", SimFaultKind::kKidnap, Strikes::kFloors, true, 0.3, -2, 2,
+   "the robot is carried so many metres to the left; on a floor anywhere else on it. With a floor: "
+   "only there, and the seconds are those that it has driven there"},
   {"estop", SimFaultKind::kEmergencyStop, Strikes::kNobody, false, 0, 0, 0,
    "the emergency stop is pressed until the end of the fault"},
 }};
@@ -127,6 +129,8 @@ bool strikes(Strikes strikes, const std::string & device)
     case Strikes::kAnyDevice:
       return range || device == "gyro" ||
              (holds(kContactNames, device) && device != "emergency_stop");
+    case Strikes::kFloors:
+      return true;  // the site knows which there are
   }
   return false;
 }
@@ -203,7 +207,9 @@ std::string sim_faults_help()
          "the start\n";
   for (const Entry & entry : kEntries) {
     std::string form{entry.name};
-    form += entry.strikes == Strikes::kNobody ? "@from" : ":device@from";
+    form += entry.strikes == Strikes::kNobody   ? "@from"
+            : entry.strikes == Strikes::kFloors ? "[:floor]@from"
+                                                : ":device@from";
     out << "  " << form << std::string(form.size() < 24 ? 24 - form.size() : 1, ' ')
         << entry.meaning;
     if (entry.has_value) {

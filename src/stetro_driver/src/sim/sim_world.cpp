@@ -110,6 +110,7 @@ void SimRobot::World::tick()
   move(actuate());
   const double turned_rad = body.pose().yaw_rad - yaw_before_rad;
   settle();
+  note_driving();
   measure(turned_rad / kTickSeconds);
   compose_frame();
   if (snapshot) {
@@ -117,6 +118,17 @@ void SimRobot::World::tick()
     sim::StateWriter writer{stored_};
     archive(writer);
     snapshot->store(stored_);
+  }
+}
+
+/// What is due on a floor waits for the robot to drive there, all blocks down.
+void SimRobot::World::note_driving()
+{
+  const bool drives = command.kind == MotionKind::kTwist && body.level() &&
+                      (command.vx_m_s != 0.0 || command.vy_m_s != 0.0 || command.wz_rad_s != 0.0);
+  const std::size_t floor = drives ? drawn_floor() : kNoFloor;
+  if (floor != kNoFloor) {
+    faults.drive(building.floor(floor).id, kTickSeconds);
   }
 }
 

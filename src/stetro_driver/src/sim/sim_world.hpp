@@ -42,7 +42,7 @@ namespace stetro_driver
 {
 
 /// Of what World::archive() lists, and in which order. To be raised with every change of either.
-constexpr std::uint32_t kStateLayout = 5;
+constexpr std::uint32_t kStateLayout = 6;
 
 /// A number that differs when anything differs that two worlds must share to share a snapshot.
 [[nodiscard]] std::uint64_t identity_of(
@@ -122,6 +122,7 @@ struct SimRobot::World
 
 private:
   [[nodiscard]] bool resume(const std::vector<std::uint8_t> & bytes);
+  void note_driving();
   void strike_faults();
   [[nodiscard]] sim::WheelSpeeds actuate();
   void move(const sim::WheelSpeeds & told);
