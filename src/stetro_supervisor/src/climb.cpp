@@ -76,6 +76,16 @@ void Climb::start(const std::string & request_id, const std::string & issuer, in
   memory_.asked = Asked::kStart;
 }
 
+void Climb::leave()
+{
+  memory_.record = MissionRecord{};
+  memory_.asked = Asked::kNothing;
+  memory_.fault = Fault::kNone;
+  memory_.note.clear();
+  state_ = State::kIdle;
+  entered_ = now_;
+}
+
 Situation Climb::situation() const
 {
   return {params_, geometry_, seen_, memory_, state_, now_, entered_};

@@ -105,6 +105,7 @@ MotionCommand Journey::tick(Time now, const Observation & seen)
   told_.clear();
   take_pose();
   check_->tick(now, seen, context());
+  watch_whereabouts();
   MotionCommand command;
   if (part_ == Part::kStill || part_ == Part::kClimb) {
     command = climb().tick(now, seen);
@@ -152,6 +153,47 @@ std::string Journey::pose_doubt() const
   return "";
 }
 
+const DrawnFloor * Journey::drawn_floor(const std::string & id) const
+{
+  const auto found = floors_.find(id);
+  return found != floors_.end() ? found->second.get() : nullptr;
+}
+
+/// A climb that has not begun: the robot may stand anywhere on the floor below.
+bool Journey::waits_before_stairs() const
+{
+  return part_ == Part::kClimb && climb().state() == State::kWaitPose && climb().record().step == 0;
+}
+
+/// What it was about to do was for another place than the one where it has been found.
+bool Journey::is_elsewhere() const
+{
+  const bool drive_waits =
+    (part_ == Part::kToFoot || part_ == Part::kRollOff) && drive_.state() == DriveState::kWaitPose;
+  const bool found = place_ && is_drawn_floor(place_->floor_id) && pose_doubt().empty() &&
+                     is_level(seen_, limits_.height_tolerance_m);
+  return found && ((drive_waits && seen_.pose->resets != errand_resets_) ||
+                   (waits_before_stairs() && !seen_.pose->on_flight));
+}
+
+/// Sets out anew from where the robot has been found, once that has been sound for long enough.
+void Journey::watch_whereabouts()
+{
+  if (!is_elsewhere()) {
+    elsewhere_since_.reset();
+    return;
+  }
+  elsewhere_since_ = elsewhere_since_.value_or(now_);
+  if (seconds_between(*elsewhere_since_, now_) < limits_.pose_settle_s) {
+    return;
+  }
+  if (part_ == Part::kClimb) {
+    climb().leave();
+  }
+  tell("found on '" + place_->floor_id + "'");
+  set_out();
+}
+
 DrivePose Journey::drive_pose() const
 {
   DrivePose pose{std::nullopt, pose_doubt()};
@@ -177,10 +219,13 @@ CheckContext Journey::context() const
   const bool knows_not =
     pose->integrity == Integrity::kLost || (pose->reasons & kNotInitialised) != 0u;
   const bool drawn = place_ && is_drawn_floor(place_->floor_id);
-  const bool climbs = (part_ == Part::kClimb || part_ == Part::kStill) && !is_free();
+  const bool climbs = (part_ == Part::kClimb || part_ == Part::kStill) && !is_free() &&
+                      !(waits_before_stairs() && !pose->on_flight);
   if (!knows_not && drawn && pose->integrity != Integrity::kUnknown) {
     context.told = place_;
-    context.corrigible = !pose->on_flight;
+    // Before the first step, too: if the robot has been carried off, only the profile tells.
+    context.corrigible =
+      !pose->on_flight || (pose->step == 0 && is_level(seen_, limits_.height_tolerance_m));
   }
   const bool between = pose->on_flight && !drawn && (pose->reasons & kNotInitialised) == 0u;
   context.lost = knows_not && !climbs && !between && is_level(seen_, limits_.height_tolerance_m);

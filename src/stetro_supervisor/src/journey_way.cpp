@@ -46,8 +46,14 @@ void Journey::roll_off(const Flight & flight)
   errand.goal_m = on_floor(here, floor, flight).position_m;
   errand.straight = true;
   errand.hand_over_to = floor_;
-  drive_.start(errand);
+  start(errand);
   tell("rolls off '" + flight.id() + "' onto '" + floor_ + "'");
+}
+
+void Journey::start(const Errand & errand)
+{
+  errand_resets_ = seen_.pose ? seen_.pose->resets : 0u;
+  drive_.start(errand);
 }
 
 void Journey::drive_to_foot(const Flight & flight)
@@ -63,7 +69,7 @@ void Journey::drive_to_foot(const Flight & flight)
   errand.goal_m = place.position_m;
   errand.yaw_rad = place.yaw_rad;
   errand.hand_over_to = flight.id();
-  drive_.start(errand);
+  start(errand);
   tell("drives to the foot of '" + flight.id() + "'");
 }
 
@@ -115,7 +121,7 @@ void Journey::set_out()
     errand.floor = floors_.at(floor_);
     errand.goal_m = place_->position_m;
     errand.hand_over_to = floor_;
-    drive_.start(errand);
+    start(errand);
   } else {
     go_on();
   }
@@ -132,7 +138,9 @@ void Journey::go(
 
 void Journey::resume_drive()
 {
-  if (stray_ && pose_doubt().empty() && place_ && is_drawn_floor(place_->floor_id)) {
+  const bool another = seen_.pose && seen_.pose->resets != errand_resets_;
+  const bool found = pose_doubt().empty() && place_ && is_drawn_floor(place_->floor_id);
+  if ((stray_ || another) && found) {
     set_out();
   } else {
     drive_.ask(Asked::kResume);

@@ -16,6 +16,7 @@
 #include <algorithm>
 
 #include "stetro_config/value.hpp"
+#include "stetro_supervisor/floor/floor_place.hpp"
 #include "stetro_supervisor/pose_reason.hpp"
 
 namespace stetro_supervisor
@@ -235,8 +236,15 @@ std::string Mission::doubt_of_told(const Situation & s) const
   if (!pose || pose->resets == forwarded_->resets) {
     return "the localizer has not taken the pose" + within + "; its log and diagnostics say why";
   }
-  const int told = flight().step_at(in_flight(forwarded_->request.told, flight()).x_m);
   const bool sure = pose->integrity != Integrity::kLost && (pose->reasons & kNotInitialised) == 0u;
+  if (const DrawnFloor * floor = told_floor(forwarded_->request)) {
+    const auto place = place_on_floor(*pose, journey_->site());
+    return sure && place && place->floor_id == floor->id()
+             ? ""
+             : "the localizer took the pose, but is on '" + pose->segment_id + "'" + within + ": " +
+                 reasons_in_words(pose->reasons);
+  }
+  const int told = flight().step_at(in_flight(forwarded_->request.told, flight()).x_m);
   if (sure && pose->step == told) {
     return "";
   }

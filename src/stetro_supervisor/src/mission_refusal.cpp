@@ -182,7 +182,7 @@ std::string Mission::refuse_relocalise(const MissionRequest & request)
   if (const std::string part = moving_part(s); !part.empty()) {
     return part + " still moves, accepted: a robot at rest";
   }
-  const std::string reason = refusal_of(request.told, request.segment_id, flight());
+  const std::string reason = refuse_told(request);
   if (!reason.empty()) {
     return reason;
   }
@@ -190,10 +190,29 @@ std::string Mission::refuse_relocalise(const MissionRequest & request)
     return "no localizer has been heard yet, accepted: one that can be told";
   }
   forwarded_ = Forwarded{request, s.seen.pose->resets, s.now};
-  if (!drives() && climb().state() == State::kWaitPose) {
+  if (drives() && journey_->drive().state() == DriveState::kWaitPose) {
+    journey_->drive().ask(Asked::kRelocalise);
+  } else if (!drives() && climb().state() == State::kWaitPose) {
     climb().ask(Asked::kRelocalise);
   }
   return "";
+}
+
+/// A drawn floor is told by its id. At a flight's foot its frame means the flight's step 0.
+const DrawnFloor * Mission::told_floor(const MissionRequest & request) const
+{
+  const bool by_flight = request.told.frame_id == flight().id();
+  return journey_ != nullptr && !by_flight ? journey_->drawn_floor(request.segment_id) : nullptr;
+}
+
+std::string Mission::refuse_told(const MissionRequest & request) const
+{
+  if (const DrawnFloor * floor = told_floor(request)) {
+    return refusal_on_floor(request.told, *floor);
+  }
+  const std::string reason = refusal_of(request.told, request.segment_id, flight());
+  const bool knows_floors = journey_ != nullptr && journey_->knows_floors();
+  return !reason.empty() && knows_floors ? reason + "; or a drawn floor by its id" : reason;
 }
 
 }  // namespace stetro_supervisor

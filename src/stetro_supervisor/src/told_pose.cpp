@@ -25,7 +25,8 @@ namespace stetro_supervisor
 namespace
 {
 
-constexpr double kAsymmetry = 1e-6;  // of the larger of the two elements: rounding, no more
+constexpr double kFloorHeight_m = 0.1;  // either way, as the localizer judges it
+constexpr double kAsymmetry = 1e-6;     // of the larger of the two elements: rounding, no more
 
 bool equal(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
 
@@ -44,10 +45,10 @@ std::string refuse_segment(const std::string & id, const stetro_site::Flight & f
   return known ? "" : "segment_id '" + id + "', accepted: the flight '" + flight.id() + "'" + foot;
 }
 
-std::string refuse_numbers(const ToldPose & told, const stetro_site::Flight & flight)
+std::string refuse_numbers(const ToldPose & told, const std::string & segment_id)
 {
-  if (told.frame_id != "map" && told.frame_id != flight.id()) {
-    return "frame_id '" + told.frame_id + "', accepted: 'map' or '" + flight.id() + "'";
+  if (told.frame_id != "map" && told.frame_id != segment_id) {
+    return "frame_id '" + told.frame_id + "', accepted: 'map' or '" + segment_id + "'";
   }
   const stetro_site::Pose & p = told.pose;
   if (!std::isfinite(p.x_m + p.y_m + p.z_m)) {
@@ -132,7 +133,7 @@ std::string refusal_of(
   const ToldPose & told, const std::string & segment_id, const stetro_site::Flight & flight)
 {
   for (const std::string & why :
-       {refuse_segment(segment_id, flight), refuse_numbers(told, flight),
+       {refuse_segment(segment_id, flight), refuse_numbers(told, flight.id()),
         refuse_covariance(told.covariance)}) {
     if (!why.empty()) {
       return why;
@@ -141,6 +142,32 @@ std::string refusal_of(
   const stetro_site::Pose pose = in_flight(told, flight);
   const std::string why = refuse_step(told, segment_id, pose, flight);
   return why.empty() ? stetro_site::misplaced(pose, flight).value_or("") : why;
+}
+
+std::string refusal_on_floor(const ToldPose & told, const DrawnFloor & floor)
+{
+  for (const std::string & why :
+       {refuse_numbers(told, floor.id()), refuse_covariance(told.covariance)}) {
+    if (!why.empty()) {
+      return why;
+    }
+  }
+  if (told.step > 0) {
+    return "step " + std::to_string(told.step) + " on floor '" + floor.id() +
+           "', accepted: 0, or -1 for unknown";
+  }
+  const stetro_site::FrameTransform T_map_floor{floor.floor().pose_in_map};
+  const stetro_site::Pose pose =
+    told.frame_id == "map" ? T_map_floor.to_frame(told.pose) : told.pose;
+  if (std::abs(pose.z_m) > kFloorHeight_m) {
+    return "z " + number(pose.z_m) + " m above floor '" + floor.id() + "', accepted: -" +
+           number(kFloorHeight_m) + " to " + number(kFloorHeight_m);
+  }
+  if (!floor.free_space().is_free({pose.x_m, pose.y_m})) {
+    return "(" + number(pose.x_m) + ", " + number(pose.y_m) + ") m on floor '" + floor.id() +
+           "' is in a wall or outside, accepted: where the robot can stand";
+  }
+  return "";
 }
 
 }  // namespace stetro_supervisor

@@ -19,6 +19,7 @@
 #include <string>
 
 #include "stetro_supervisor/mission.hpp"
+#include "stetro_supervisor/pose_reason.hpp"
 #include "support/toy_house.hpp"
 #include "support/two_floors.hpp"
 
@@ -173,6 +174,68 @@ TEST_F(JourneyTest, FindsItselfAfterAKidnapAndGoesOn)
   EXPECT_LT(seconds_between(since, house.now), 10.0);
   ASSERT_TRUE(run_until(120.0, [this] { return finished(); })) << where();
   EXPECT_NEAR(house.in_map().y_m, 1.025, 0.1);
+}
+
+// What it was about to do, straight on off the stairs, was for another place.
+TEST_F(JourneyTest, SetsOutAnewFromWhereItIsFoundAfterAKidnap)
+{
+  const auto & upper = site.flight("upper");
+  const double beyond_m = upper.total_run_m() + 0.15;
+  const auto end = upper.T_map_flight().to_map(stetro_site::Pose{beyond_m, 1.0, 0.0, 0.0});
+  house.place("first", end);
+  go("first");
+  ASSERT_TRUE(run_until(20.0, [this] { return mission->status().state_name == "floor_roll"; }))
+    << where();
+  ASSERT_EQ(journey->part(), Part::kRollOff);
+  const stetro_site::Pose elsewhere{3.0, 5.0, 0.0, 1.0};
+  house.kidnap(elsewhere);
+  ASSERT_TRUE(run_until(60.0, [this] { return finished(); })) << where();
+  EXPECT_EQ(house.resets, 1) << log;
+  EXPECT_NE(log.find("found on 'first'"), std::string::npos) << log;
+  const auto at = house.in_map();
+  EXPECT_LT(std::hypot(at.x_m - elsewhere.x_m, at.y_m - elsewhere.y_m), 0.4)
+    << "it is on its goal already and has no reason to go back to the stairs\n"
+    << where();
+}
+
+TEST_F(JourneyTest, TakesItsPlaceOnAFloorFromAPerson)
+{
+  run_until(1.0, [] { return false; });
+  MissionRequest request{"where", "test", RequestKind::kRelocalise, "ground"};
+  request.told.frame_id = "ground";
+  request.told.pose = {1.0, 1.0, 0.0, 0.4};
+  request.told.step = 0;
+  ASSERT_TRUE(mission->request(request).waits);
+  tick();
+  EXPECT_FALSE(mission->settle()) << "the localizer has not jumped yet";
+  ++house.resets;
+  tick();
+  const auto answer = mission->settle();
+  ASSERT_TRUE(answer);
+  EXPECT_TRUE(answer->accepted) << answer->reason;
+}
+
+TEST_F(JourneyTest, IsHeldWhenAPersonTellsItsPlaceWhileItWaitsForThePose)
+{
+  go("lower");
+  ASSERT_TRUE(run_until(20.0, [this] { return mission->status().state_name == "floor_roll"; }));
+  house.meddle = [](Observation & o) {
+    o.pose->integrity = Integrity::kLost;
+    o.pose->reasons = kProfileDisagrees;
+    o.scan.reset();
+  };
+  ASSERT_TRUE(run_until(5.0, [this] { return mission->status().state_name == "floor_wait_pose"; }));
+  MissionRequest request{"where", "test", RequestKind::kRelocalise, "ground"};
+  request.told.frame_id = "map";
+  request.told.pose = house.in_map();
+  ASSERT_TRUE(mission->request(request).waits);
+  ++house.resets;
+  house.meddle = nullptr;
+  ASSERT_TRUE(run_until(2.0, [this] { return mission->settle().has_value(); }));
+  run_until(3.0, [] { return false; });
+  EXPECT_EQ(mission->status().state_name, "floor_held") << where();
+  ASSERT_TRUE(ask(RequestKind::kResume).accepted);
+  ASSERT_TRUE(run_until(120.0, [this] { return finished(); })) << where();
 }
 
 TEST_F(JourneyTest, CorrectsAnOdometryThatIsTooLong)

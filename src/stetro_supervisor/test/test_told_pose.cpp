@@ -20,6 +20,7 @@
 
 #include "stetro_supervisor/told_pose.hpp"
 #include "support/toy_robot.hpp"
+#include "support/two_floors.hpp"
 
 namespace stetro_supervisor
 {
@@ -142,6 +143,34 @@ TEST(ToldPose, IsTheSameOnlyWithEveryNumberTheSame)
   other = told;
   other.step = -1;
   EXPECT_FALSE(same(told, other));
+}
+
+// The frame of `first` is moved and turned against map; (1.0, 1.0) of `ground` is free in both.
+TEST(ToldPose, OnAFloorIsAcceptedWhereTheRobotCanStand)
+{
+  const DrawnFloor ground{two_floors(3, 2), "ground", 0.05};
+  ToldPose told;
+  told.frame_id = "ground";
+  told.pose = {1.0, 1.0, 0.0, 0.4};
+  EXPECT_EQ(refusal_on_floor(told, ground), "");
+  told.step = 0;
+  told.frame_id = "map";
+  EXPECT_EQ(refusal_on_floor(told, ground), "");
+
+  told.frame_id = "landing";
+  expect_told(refusal_on_floor(told, ground), {"frame_id 'landing'", "'map' or 'ground'"});
+  told.frame_id = "ground";
+  told.step = 2;
+  expect_told(refusal_on_floor(told, ground), {"step 2", "'ground'", "accepted: 0"});
+  told.step = 0;
+  told.pose.x_m = -0.5;
+  expect_told(refusal_on_floor(told, ground), {"(-0.500, 1.000)", "in a wall or outside"});
+  told.pose.x_m = 1.0;
+  told.pose.z_m = 0.42;
+  expect_told(refusal_on_floor(told, ground), {"z 0.420", "-0.100 to 0.100"});
+  told.pose.z_m = 0.0;
+  told.covariance(0, 0) = -1.0;
+  expect_told(refusal_on_floor(told, ground), {"covariance[0]"});
 }
 
 }  // namespace

@@ -65,6 +65,9 @@ public:
   /// Takes in what is seen without a transition or a command: something else is at the wheel.
   void look_on(Time now, const Observation & seen);
 
+  /// Nothing is under way any more: the robot stands elsewhere than before or on its flight.
+  void leave();
+
   /// The situation of the last tick, for refusals and status.
   Situation situation() const;
 

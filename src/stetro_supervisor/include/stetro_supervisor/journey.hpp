@@ -15,6 +15,7 @@
 #ifndef STETRO_SUPERVISOR__JOURNEY_HPP_
 #define STETRO_SUPERVISOR__JOURNEY_HPP_
 
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
@@ -40,6 +41,8 @@ namespace stetro_supervisor
  *   Climb    --(on the last tread, the front free)--> RollOff
  *   RollOff  --(off the stairs, and the localizer on the floor)--> ToFoot of the next flight, or
  *              Done on the floor that was the goal
+ *   ToFoot, RollOff, and Climb before its first step
+ *            --(waits for the pose, and the localizer has found another on a floor)--> as by go
  *   any      --(aborted)--> Aborted
  *
  * Still is the climb alone, as without a journey. Standing, waiting and faults are states of the
@@ -109,6 +112,9 @@ public:
   /// What a restart must know.
   [[nodiscard]] MissionRecord record() const;
 
+  /// A floor that the robot may be on; null if nobody has drawn it.
+  [[nodiscard]] const DrawnFloor * drawn_floor(const std::string & id) const;
+
   /// In words what changed in the last tick; empty if nothing did.
   [[nodiscard]] const std::string & transition() const { return told_; }
   [[nodiscard]] bool has_fault() const;
@@ -126,6 +132,10 @@ private:
   [[nodiscard]] bool is_drawn_floor(const std::string & id) const { return floors_.count(id) != 0; }
   [[nodiscard]] const stetro_site::Flight * flight_to_leave(const FloorPlace & place) const;
 
+  [[nodiscard]] bool waits_before_stairs() const;
+  [[nodiscard]] bool is_elsewhere() const;
+  void watch_whereabouts();
+  void start(const Errand & errand);
   void set_out();
   void go_on();
   void drive_to_foot(const stetro_site::Flight & flight);
@@ -150,9 +160,11 @@ private:
   std::string goal_;
   std::string request_id_;
   std::string issuer_;
-  std::string floor_;   // that is driven on
-  bool stray_ = false;  // held after a restart: the errand is to be found anew
-  std::string told_;    // what changed in the last tick
+  std::string floor_;                    // that is driven on
+  bool stray_ = false;                   // held after a restart: the errand is to be found anew
+  std::uint32_t errand_resets_ = 0;      // of the pose with which the errand began
+  std::optional<Time> elsewhere_since_;  // it waits, and a sound pose is another one
+  std::string told_;                     // what changed in the last tick
 
   Time now_{0};
   Observation seen_;

@@ -158,6 +158,8 @@ private:
   std::string refuse_clean(const MissionRequest & request);
   std::string refuse_to_go(const MissionRequest & request);
   std::string refuse_relocalise(const MissionRequest & request);
+  std::string refuse_told(const MissionRequest & request) const;
+  const DrawnFloor * told_floor(const MissionRequest & request) const;  // null: told on a flight
   std::string doubt_of_told(const Situation & s) const;  // that the localizer has followed
   std::string refuse_pause() const;
   std::string refuse_resume() const;

@@ -20,6 +20,7 @@
 #include "stetro_site/flight.hpp"
 #include "stetro_site/frame_transform.hpp"
 #include "stetro_site/pose.hpp"
+#include "stetro_supervisor/floor/drawn_floor.hpp"
 
 namespace stetro_supervisor
 {
@@ -27,7 +28,7 @@ namespace stetro_supervisor
 /// Where a person says that the robot stands.
 struct ToldPose
 {
-  std::string frame_id;      ///< `map`, or the id of the flight
+  std::string frame_id;      ///< `map`, or the id of the flight or floor
   stetro_site::Pose pose{};  ///< base_link in that frame; yaw NaN: the orientation is not upright
   stetro_site::Covariance covariance = stetro_site::Covariance::Zero();  ///< of the pose
   int step = -1;  ///< tread block 2 stands on, 0 the floor, -1 not told
@@ -49,6 +50,9 @@ struct ToldPose
  */
 [[nodiscard]] std::string refusal_of(
   const ToldPose & told, const std::string & segment_id, const stetro_site::Flight & flight);
+
+/// The same for a place on a floor: at its height, where nothing is drawn, on no step.
+[[nodiscard]] std::string refusal_on_floor(const ToldPose & told, const DrawnFloor & floor);
 
 }  // namespace stetro_supervisor
 
