@@ -26,7 +26,8 @@ using stetro_site::Pose;
 constexpr double kCarried_m = 0.3;    // in one row; a robot drives a centimetre
 constexpr double kAtRest_m_s = 0.01;  // slower is no motion
 constexpr double kAtRest_rad_s = 0.02;
-constexpr double kRight_m = 0.3;  // of the truth
+constexpr double kRight_m = 0.3;                  // of the truth
+constexpr std::uint32_t kProfileDisagrees = 512;  // REASON_PROFILE_DISAGREES of StairPose
 
 double distance_m(const Pose & a, const Pose & b)
 {
@@ -122,6 +123,8 @@ void JourneyReport::look_for_kidnap(const Moment & now)
     kidnap.time_s = since_start_s(now);
     kidnap.distance_m = moved;
     kidnap.turned_rad = turn_rad(last_->truth, now.truth);
+    kidnap.from = last_->truth;
+    kidnap.to = now.truth;
     kidnaps_.push_back(kidnap);
     moved_s_ = 0.0;
   }
@@ -140,7 +143,7 @@ void JourneyReport::follow_kidnap(const Moment & now)
     const bool moves =
       moved > kAtRest_m_s * dt || std::abs(turn_rad(last_->truth, now.truth)) > kAtRest_rad_s * dt;
     moved_s_ += moves && moved <= kCarried_m ? dt : 0.0;
-    if (!ok) {
+    if (now.row.integrity == "LOST" || (now.row.reasons & kProfileDisagrees) != 0u) {
       kidnap.noticed_after_s = moved_s_;
       noticed_ = now.row.estimate.stamp;
     }

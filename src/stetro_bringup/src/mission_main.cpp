@@ -49,9 +49,10 @@ constexpr int kRefused = 1;
 constexpr int kNoAnswer = 3;
 
 const std::map<std::string, std::uint8_t> kKinds = {
-  {"clean", request::KIND_CLEAN_FLIGHT},      {"pause", request::KIND_PAUSE},
-  {"resume", request::KIND_RESUME},           {"abort", request::KIND_ABORT},
-  {"clear-fault", request::KIND_CLEAR_FAULT}, {"relocalise", request::KIND_RELOCALISE}};
+  {"clean", request::KIND_CLEAN_FLIGHT},   {"go", request::KIND_GO_TO_SEGMENT},
+  {"pause", request::KIND_PAUSE},          {"resume", request::KIND_RESUME},
+  {"abort", request::KIND_ABORT},          {"clear-fault", request::KIND_CLEAR_FAULT},
+  {"relocalise", request::KIND_RELOCALISE}};
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double kDegree = M_PI / 180.0;
@@ -63,8 +64,8 @@ constexpr double kToldHeadingSigma = 3.0 * kDegree;  // [rad]
 struct Order
 {
   std::string what = "status";
-  std::string flight;
-  std::string frame;  // of the pose; empty: the flight's
+  std::string segment;
+  std::string frame;  // of the pose; empty: the segment's
   std::vector<double> pose = {kUnknown, kUnknown, kUnknown, kUnknown};  // x, y, z [m], psi [deg]
   int step = request::STEP_UNKNOWN;
   double patience_s = 10.0;
@@ -116,7 +117,7 @@ public:
     message.request_id() = id_.c_str();
     message.issuer() = "stetro_mission";
     message.kind() = kKinds.at(order.what);
-    message.segment_id() = order.flight.c_str();
+    message.segment_id() = order.segment.c_str();
     message.step() = order.step;
     if (order.what == "relocalise") {
       tell(order, message);
@@ -134,7 +135,7 @@ public:
 private:
   static void tell(const Order & order, MissionRequest & message)
   {
-    message.header().frame_id() = (order.frame.empty() ? order.flight : order.frame).c_str();
+    message.header().frame_id() = (order.frame.empty() ? order.segment : order.frame).c_str();
     auto & pose = message.pose().pose();
     pose.position().x(order.pose[0]);
     pose.position().y(order.pose[1]);
@@ -196,13 +197,16 @@ int main(int argc, char ** argv)
     app.add_option("request", order.what, "what to ask for, or status")
       ->check(CLI::IsMember(words))
       ->capture_default_str();
-    app.add_option("--flight", order.flight, "id of the flight, for clean and relocalise");
+    app.add_option(
+      "--flight,--segment", order.segment,
+      "id of the flight, for clean; of the flight or floor, for go and relocalise");
     app
       .add_option(
         "--pose", order.pose,
-        "for relocalise: x, y, z [m] and heading [deg] of the middle block's place on its tread")
+        "for relocalise: x, y, z [m] and heading [deg] of the middle block's place on its tread or "
+        "floor")
       ->expected(4);
-    app.add_option("--frame", order.frame, "of the pose: map, or the flight's id, the default");
+    app.add_option("--frame", order.frame, "of the pose: map, or the segment's id, the default");
     app.add_option("--step", order.step, "for relocalise: its tread, 0 the floor; -1 unknown")
       ->capture_default_str();
     app.add_option("--patience", order.patience_s, "how long to wait for the answer [s]")

@@ -13,10 +13,13 @@
 // limitations under the License.
 #include "stetro_bringup/summary.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 #include <ostream>
+#include <string>
+#include <vector>
 
 #include "nlohmann/json.hpp"
 
@@ -24,6 +27,9 @@ namespace stetro_bringup
 {
 namespace
 {
+
+constexpr double kLargestJump_m = 0.01;
+constexpr double kLongestUnnoticed_s = 5.0;
 
 // JSON has no NaN: what is not known is null.
 nlohmann::ordered_json known(double value)
@@ -113,6 +119,36 @@ nlohmann::ordered_json kidnaps_json(const std::vector<Kidnap> & kidnaps)
   return all;
 }
 
+std::string decimals(double value, int count)
+{
+  std::array<char, 40> text{};
+  std::snprintf(text.data(), text.size(), "%.*f", count, value);
+  return text.data();
+}
+
+void append_kidnaps(const ClimbOutcome & outcome, std::vector<std::string> & shortfalls)
+{
+  for (const Kidnap & one : outcome.kidnaps) {
+    if (!one.noticed_after_s) {
+      shortfalls.push_back("the kidnap on " + one.segment + " is not noticed");
+    } else if (*one.noticed_after_s > kLongestUnnoticed_s) {
+      shortfalls.push_back(
+        "the kidnap on " + one.segment + " is noticed after " + decimals(*one.noticed_after_s, 1) +
+        " s of motion");
+    } else if (!one.relocalised_after_s) {
+      shortfalls.push_back("the robot is not found after the kidnap on " + one.segment);
+    }
+  }
+  for (const std::string & floor : outcome.kidnaps_asked) {
+    const bool happened = std::any_of(
+      outcome.kidnaps.begin(), outcome.kidnaps.end(),
+      [&](const Kidnap & one) { return one.segment == floor; });
+    if (!happened) {
+      shortfalls.push_back("no kidnap happened on " + floor);
+    }
+  }
+}
+
 void print_hand_overs(std::ostream & out, const std::vector<SegmentChange> & hand_overs)
 {
   for (const SegmentChange & one : hand_overs) {
@@ -180,6 +216,8 @@ std::string summary_json(const ClimbOutcome & outcome, const ClimbErrors & error
   summary["simulated_time_s"] = known(outcome.simulated_time_s);
   summary["wall_time_s"] = known(outcome.wall_time_s);
   summary["faults"] = outcome.faults;
+  summary["succeeded"] = outcome.shortfalls.empty();
+  summary["shortfalls"] = outcome.shortfalls;
   return summary.dump(2) + "\n";
 }
 
@@ -218,12 +256,41 @@ void print_summary(std::ostream & out, const ClimbOutcome & outcome, const Climb
   for (const std::string & fault : outcome.faults) {
     out << "  fault         " << fault << '\n';
   }
+  for (const std::string & shortfall : outcome.shortfalls) {
+    out << "  SHORT OF      " << shortfall << '\n';
+  }
+}
+
+std::vector<std::string> shortfalls(const ClimbOutcome & outcome, const Goal & goal)
+{
+  std::vector<std::string> all;
+  if (!outcome.completed) {
+    all.emplace_back("the mission is not finished");
+  }
+  if (outcome.final_segment != goal.segment || outcome.final_step != goal.step) {
+    all.push_back(
+      "it ends on step " + std::to_string(outcome.final_step) + " of " + outcome.final_segment);
+  }
+  if (outcome.integrity != "OK") {
+    all.push_back("integrity is " + outcome.integrity);
+  }
+  for (const std::string & fault : outcome.faults) {
+    all.push_back("fault " + fault);
+  }
+  for (const SegmentChange & one : outcome.hand_overs) {
+    if (one.jump_m > kLargestJump_m) {
+      all.push_back(
+        "the pose jumps " + decimals(100.0 * one.jump_m, 2) + " cm from " + one.from + " to " +
+        one.to);
+    }
+  }
+  append_kidnaps(outcome, all);
+  return all;
 }
 
 bool succeeded(const ClimbOutcome & outcome, const Goal & goal)
 {
-  return outcome.completed && outcome.final_segment == goal.segment &&
-         outcome.final_step == goal.step && outcome.integrity == "OK" && outcome.faults.empty();
+  return shortfalls(outcome, goal).empty();
 }
 
 }  // namespace stetro_bringup

@@ -118,7 +118,12 @@ TEST(JourneyReport, CountsTheMotionUntilAKidnapIsNoticed)
   report.add(row(2s, sample("ground", 1.0, 1.0), sample("ground", 2.0, 1.0, 0.5)));  // stands
   report.add(row(3s, sample("ground", 1.2, 1.0), sample("ground", 2.2, 1.0, 0.5)));
   ASSERT_EQ(report.kidnaps().size(), 1u);
-  EXPECT_FALSE(report.kidnaps()[0].noticed_after_s);
+  EXPECT_EQ(report.kidnaps()[0].from.x_m, 1.0);
+  EXPECT_EQ(report.kidnaps()[0].to.x_m, 2.0);
+  auto doubted = row(3s, sample("ground", 1.2, 1.0), sample("ground", 2.2, 1.0, 0.5), "DEGRADED");
+  doubted.reasons = 2u;
+  report.add(doubted);
+  EXPECT_FALSE(report.kidnaps()[0].noticed_after_s) << "a doubt for another reason";
   report.add(row(4s, sample("ground", 1.4, 1.0), sample("ground", 2.4, 1.0, 0.5), "LOST"));
   EXPECT_NEAR(report.kidnaps()[0].distance_m, 1.0, 1e-12);
   EXPECT_NEAR(report.kidnaps()[0].turned_rad, 0.5, 1e-12);

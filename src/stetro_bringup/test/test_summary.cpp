@@ -101,7 +101,9 @@ TEST(Summary, TellsHandOversAndKidnaps)
 {
   ClimbOutcome outcome;
   outcome.hand_overs = {{"lower", "landing", 400.0, 0.004, -0.01}};
-  Kidnap noticed{"landing", 410.0, 1.5, 0.7, 2.5, std::nullopt};
+  Kidnap noticed;
+  noticed.segment = "landing";
+  noticed.noticed_after_s = 2.5;
   outcome.kidnaps = {noticed};
   const auto json = nlohmann::json::parse(summary_json(outcome, ClimbErrors{}));
   EXPECT_EQ(json["hand_overs"][0]["to"], "landing");
@@ -112,6 +114,42 @@ TEST(Summary, TellsHandOversAndKidnaps)
   EXPECT_NE(text.find("0.40 cm, -0.57 deg beyond the motion, lower to landing"), std::string::npos)
     << text;
   EXPECT_NE(text.find("noticed after 2.5 s of motion, NOT RELOCALISED"), std::string::npos) << text;
+}
+
+TEST(Summary, SaysWhatARunFallsShortOf)
+{
+  ClimbOutcome good;
+  good.completed = true;
+  good.final_segment = "first";
+  good.final_step = 0;
+  good.integrity = "OK";
+  good.hand_overs = {{"lower", "landing", 400.0, 0.009, 0.0}};
+  Kidnap kidnap;
+  kidnap.segment = "landing";
+  kidnap.noticed_after_s = 4.9;
+  kidnap.relocalised_after_s = 30.0;
+  good.kidnaps = {kidnap};
+  good.kidnaps_asked = {"landing"};
+  const Goal goal{"first", 0};
+  EXPECT_TRUE(shortfalls(good, goal).empty());
+  const auto only = [&goal](const ClimbOutcome & outcome) {
+    const auto all = shortfalls(outcome, goal);
+    return all.size() == 1u ? all[0] : std::to_string(all.size()) + " shortfalls";
+  };
+  auto outcome = good;
+  outcome.hand_overs[0].jump_m = 0.011;
+  EXPECT_EQ(only(outcome), "the pose jumps 1.10 cm from lower to landing");
+  outcome = good;
+  outcome.kidnaps[0].noticed_after_s = 5.1;
+  EXPECT_EQ(only(outcome), "the kidnap on landing is noticed after 5.1 s of motion");
+  outcome.kidnaps[0].noticed_after_s.reset();
+  EXPECT_EQ(only(outcome), "the kidnap on landing is not noticed");
+  outcome = good;
+  outcome.kidnaps[0].relocalised_after_s.reset();
+  EXPECT_EQ(only(outcome), "the robot is not found after the kidnap on landing");
+  outcome = good;
+  outcome.kidnaps_asked = {"landing", "first"};
+  EXPECT_EQ(only(outcome), "no kidnap happened on first");
 }
 
 TEST(Summary, CountsARunOnlyAtItsGoalTrustedAndWithoutFault)

@@ -60,7 +60,10 @@ struct Kidnap
   double time_s = 0.0;  ///< since the first row
   double distance_m = 0.0;
   double turned_rad = 0.0;
-  /// Time in which the robot moved until the estimate was no longer OK [s]; nothing: it stayed so.
+  stetro_site::Pose from{};  ///< in `map`, as `to`
+  stetro_site::Pose to{};
+  /// Time in which the robot moved until the profile was against the estimate, or it was LOST [s];
+  /// nothing: it stayed trusted.
   std::optional<double> noticed_after_s;
   /// Time from then until it was OK again, and right [s]; nothing: it did not happen.
   std::optional<double> relocalised_after_s;

@@ -42,7 +42,9 @@ struct ClimbOutcome
   StaircaseFound staircase;               ///< the last that the localizer said of it
   std::vector<SegmentChange> hand_overs;  ///< between floors and flights
   std::vector<Kidnap> kidnaps;
-  std::vector<std::string> faults;  ///< every fault the supervisor reported, in order
+  std::vector<std::string> kidnaps_asked;  ///< floors on which one is to happen and to be seen
+  std::vector<std::string> faults;         ///< every fault the supervisor reported, in order
+  std::vector<std::string> shortfalls;     ///< of `shortfalls()`; empty: it succeeded
 };
 
 /// The climb as `summary.json`: SI units in the key names, null for what is not known.
@@ -58,7 +60,14 @@ struct Goal
   int step = 0;
 };
 
-/// A run counts only when it ended at its goal, trusted, without a fault.
+/// What a run falls short of, in words.
+/**
+ * It must end at its goal, trusted and without a fault; the pose may jump by 1 cm where it passes
+ * between floor and flight; a kidnap must be noticed within 5 s of motion, and the robot found.
+ */
+[[nodiscard]] std::vector<std::string> shortfalls(const ClimbOutcome & outcome, const Goal & goal);
+
+/// It falls short of nothing.
 [[nodiscard]] bool succeeded(const ClimbOutcome & outcome, const Goal & goal);
 
 }  // namespace stetro_bringup

@@ -24,11 +24,26 @@ namespace
 
 namespace integrity = stetro_msgs::msg::StairPose_Constants;
 namespace outcome = stetro_msgs::msg::Innovation_Constants;
+namespace verdict = stetro_msgs::msg::ProfileCheck_Constants;
 
 double heading_of(const geometry_msgs::msg::Quaternion & q)
 {
   return std::atan2(
     2.0 * (q.w() * q.z() + q.x() * q.y()), 1.0 - 2.0 * (q.y() * q.y() + q.z() * q.z()));
+}
+
+std::string verdict_name(std::uint8_t value)
+{
+  switch (value) {
+    case verdict::VERDICT_AGREES:
+      return "agrees";
+    case verdict::VERDICT_CORRECTED:
+      return "corrected";
+    case verdict::VERDICT_AMBIGUOUS:
+      return "ambiguous";
+    default:
+      return "no_verdict";
+  }
 }
 
 }  // namespace
@@ -82,6 +97,18 @@ StaircaseFound staircase_of(const diagnostic_msgs::msg::DiagnosticStatus & messa
     note(staircase, pair.key(), pair.value());
   }
   return staircase;
+}
+
+CheckSample check_of(const stetro_msgs::msg::ProfileCheck & message)
+{
+  CheckSample check;
+  check.stamp = time_of(message.header().stamp());
+  check.segment = message.segment_id().c_str();
+  check.verdict = verdict_name(message.verdict());
+  const auto & best = message.corrected_pose().pose();
+  check.in_map = {
+    best.position().x(), best.position().y(), best.position().z(), heading_of(best.orientation())};
+  return check;
 }
 
 std::string integrity_name(std::uint8_t value)

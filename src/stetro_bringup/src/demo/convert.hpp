@@ -17,11 +17,13 @@
 #include <optional>
 #include <string>
 
+#include "journey_files.hpp"
 #include "stetro_bringup/recorder.hpp"
 #include "stetro_bringup/staircase_found.hpp"
 #include "stetro_dds/refusal.hpp"
 #include "stetro_dds/stamp.hpp"
 #include "stetro_msgs/DiagnosticStatus.hpp"
+#include "stetro_msgs/ProfileCheck.hpp"
 #include "stetro_msgs/StairPose.hpp"
 
 namespace stetro_bringup
@@ -48,6 +50,9 @@ using stetro_dds::time_of;
 
 [[nodiscard]] std::string integrity_name(std::uint8_t integrity);
 [[nodiscard]] std::string outcome_name(std::uint8_t outcome);
+
+/// An answer of the profile check.
+[[nodiscard]] CheckSample check_of(const stetro_msgs::msg::ProfileCheck & message);
 
 }  // namespace stetro_bringup
 

@@ -58,6 +58,12 @@ DemoNode::DemoNode(
     "stair_pose", recording(), [this](const auto & message) { return on_stair_pose(message); });
   node_.subscribe<diagnostic_msgs::msg::DiagnosticArray>(
     "/diagnostics", qos::kDiagnostics, [this](const auto & message) { on_diagnostics(message); });
+  node_.subscribe<stetro_msgs::msg::ProfileCheck>(
+    "profile_check", recording(), [this](const auto & message) {
+      if (heard_ && accepted_ && !ended()) {
+        heard_(check_of(message));
+      }
+    });
   node_.subscribe<stetro_msgs::msg::MissionStatus>(
     "mission_status", qos::kLatched, [this](const auto & message) { on_mission_status(message); });
 }

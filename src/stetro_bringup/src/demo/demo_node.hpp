@@ -19,9 +19,11 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "demo_options.hpp"
+#include "journey_files.hpp"
 #include "stetro_bringup/recorder.hpp"
 #include "stetro_bringup/staircase_found.hpp"
 #include "stetro_dds/node.hpp"
@@ -29,6 +31,7 @@
 #include "stetro_msgs/Innovations.hpp"
 #include "stetro_msgs/MissionRequest.hpp"
 #include "stetro_msgs/MissionStatus.hpp"
+#include "stetro_msgs/ProfileCheck.hpp"
 #include "stetro_msgs/RangeArray.hpp"
 #include "stetro_msgs/StairPose.hpp"
 
@@ -62,6 +65,9 @@ public:
 
   [[nodiscard]] stetro_dds::Node & node() { return node_; }
 
+  /// Is told each answer of the profile check while the mission goes on.
+  void hear_checks(std::function<void(const CheckSample &)> heard) { heard_ = std::move(heard); }
+
   /// Asks for the task, once the pose is trusted, until a supervisor accepts; call it often.
   void ask();
 
@@ -90,6 +96,7 @@ private:
   stetro_dds::Node node_;
   const Task task_;
   Recorder & recorder_;
+  std::function<void(const CheckSample &)> heard_;
   stetro_dds::Publisher<stetro_msgs::msg::MissionRequest> & mission_requests_;
   MissionView mission_;
   bool accepted_ = false;

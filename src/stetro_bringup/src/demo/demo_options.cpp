@@ -37,8 +37,6 @@ std::string number(double value)
   return text.str();
 }
 
-// colcon installs each package into <install>/<package>, or all into one with --merge-install;
-// either way this program is <prefix>/bin/stetro_demo.
 // At twenty times real time a sample easily overtakes the /clock message before it by some ticks.
 constexpr const char * kFutureTolerance_s = "0.1";
 
@@ -51,15 +49,6 @@ NodeSettings common(const DemoOptions & options, const Task & task)
     // Whatever the caller's ROS 2 is set to, a demo stays on this computer.
     {"dds.network", quoted("localhost")},
     {"dds.ros_distro", quoted("humble")}};
-}
-
-std::string joined(const std::vector<std::string> & texts)
-{
-  std::string all;
-  for (const std::string & text : texts) {
-    all += (all.empty() ? "" : ",") + text;
-  }
-  return all;
 }
 
 std::string shipped_sites()
@@ -94,11 +83,11 @@ Task task_of(const DemoOptions & options, const stetro_site::Site & site)
   const stetro_site::Floor * floor =
     options.goal.empty() ? highest_drawn(site) : &site.floor(options.goal);
   if (floor != nullptr && options.flight.empty()) {
-    return {true, site.flights().front().id(), {floor->id, 0}};
+    return {true, site.flights().front().id(), {floor->id, 0}, std::nullopt, {}};
   }
   const bool one = options.flight.empty() && site.flights().size() == 1;
   const auto & flight = one ? site.flights().front() : site.flight(options.flight);
-  return {false, flight.id(), {flight.id(), flight.steps()}};
+  return {false, flight.id(), {flight.id(), flight.steps()}, std::nullopt, {}};
 }
 
 std::string site_file(const std::string & path_or_name)
@@ -120,6 +109,14 @@ void add_options(CLI::App & app, DemoOptions & options)
     ->capture_default_str();
   app
     .add_option(
+      "--seeds", options.seeds,
+      "runs, one after the other with a seed more each; results in <out>/seed_<seed>, and their "
+      "sum "
+      "in <out>/series.json")
+    ->check(CLI::Range(1, 10000))
+    ->capture_default_str();
+  app
+    .add_option(
       "--speed", options.speed,
       "simulated seconds a second at most; the robot's processes set the pace")
     ->check(CLI::Range(0.1, 1000.0))
@@ -137,7 +134,7 @@ void add_options(CLI::App & app, DemoOptions & options)
     ->default_str("the papers' robot");
   auto * flight = app.add_option("--flight", options.flight, "id of the flight to climb");
   flight->default_str("the only one of the site");
-  app.add_option("--goal", options.goal, "id of the floor to go to, from the lowest flight's foot")
+  app.add_option("--goal", options.goal, "id of the floor to go to, from the lowest one")
     ->excludes(flight)
     ->default_str("the highest floor, if the site has drawings of floors");
   app.add_option("--world", options.world, "what is there: the site as built, or exactly the site")
@@ -146,7 +143,11 @@ void add_options(CLI::App & app, DemoOptions & options)
   app.add_option("--calibration", options.calibration, "of the range sensors")
     ->check(CLI::IsMember({"factory", "none"}))
     ->capture_default_str();
-  app.add_option("--faults", options.faults, "to inject, see stetro_driver --help")->delimiter(',');
+  app
+    .add_option(
+      "--faults", options.faults,
+      "to inject, see stetro_driver --help; 'kidnap' alone: one on each floor of the way")
+    ->delimiter(',');
   app.add_flag(
     "--in-process", options.in_process, "one process; the same seed gives the same bytes");
   app.add_flag(
@@ -157,6 +158,15 @@ void add_options(CLI::App & app, DemoOptions & options)
     ->capture_default_str();
 }
 
+std::string fault_list(const DemoOptions & options)
+{
+  std::string all;
+  for (const std::string & fault : options.faults) {
+    all += (all.empty() ? "" : ",") + fault;
+  }
+  return all;
+}
+
 NodeSettings driver_settings(const DemoOptions & options, const Task & task)
 {
   NodeSettings settings = common(options, task);
@@ -164,9 +174,14 @@ NodeSettings driver_settings(const DemoOptions & options, const Task & task)
     settings.end(), {{"sim.seed", std::to_string(options.seed)},
                      {"sim.world", quoted(options.world)},
                      {"sim.errors.calibration", quoted(options.calibration)},
-                     {"sim.faults", quoted(joined(options.faults))},
+                     {"sim.faults", quoted(fault_list(options))},
                      {"sim.ground_truth", options.no_ground_truth ? "false" : "true"},
                      {"sim.speed", number(options.speed)}});
+  if (const auto & at = task.start_pose) {
+    settings.emplace_back(
+      "sim.start",
+      '[' + number(at->x_m) + ", " + number(at->y_m) + ", " + number(at->yaw_rad) + ']');
+  }
   return settings;
 }
 

@@ -15,12 +15,14 @@
 #define DEMO__DEMO_OPTIONS_HPP_
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "CLI/CLI.hpp"
 #include "stetro_bringup/summary.hpp"
+#include "stetro_site/pose.hpp"
 #include "stetro_site/site.hpp"
 
 namespace stetro_bringup
@@ -31,6 +33,7 @@ struct DemoOptions
 {
   std::string out = "out/demo";  ///< folder of the results
   std::uint64_t seed = 1;        ///< of the world, the sensors and the disturbances
+  std::int64_t seeds = 1;        ///< runs one after the other, each with the next seed
   double speed = 20.0;           ///< simulated seconds a second at most
   std::string estimator = "fused";
   std::string site = "papers_staircase";  ///< what the software believes: a file, or one shipped
@@ -49,20 +52,25 @@ struct DemoOptions
 /// Declares the options on the command line, read into `options`, which must outlive it.
 void add_options(CLI::App & app, DemoOptions & options);
 
-/// Parameters of one node, as the command line of ROS 2 takes them: name and YAML text.
 /// What is asked of the robot, and where it ends.
 struct Task
 {
   bool is_journey = false;  ///< through the building to a floor; else one flight is cleaned
   std::string start;        ///< flight in whose frame the robot starts
   Goal goal;
+  std::optional<stetro_site::Pose> start_pose;  ///< in that frame; nothing: at the flight's foot
+  std::vector<std::string> kidnaps_on;          ///< floors on which one is to happen
 };
 
 /// The flight that was chosen, or the floor; of a building with drawn floors the highest of these.
 /** \throws std::out_of_range naming what was chosen and what there is */
 [[nodiscard]] Task task_of(const DemoOptions & options, const stetro_site::Site & site);
 
+/// Parameters of one node, as the command line of ROS 2 takes them: name and YAML text.
 using NodeSettings = std::vector<std::pair<std::string, std::string>>;
+
+/// The faults to inject, as the driver takes them.
+[[nodiscard]] std::string fault_list(const DemoOptions & options);
 
 [[nodiscard]] NodeSettings driver_settings(const DemoOptions & options, const Task & task);
 [[nodiscard]] NodeSettings localizer_settings(const DemoOptions & options, const Task & task);

@@ -34,15 +34,6 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double kPatience_s = 60.0;  // for a trusted pose and an accepting supervisor
 
-std::ofstream opened(const std::string & path)
-{
-  std::ofstream file(path);
-  if (!file) {
-    throw std::runtime_error(path + ": cannot be written");
-  }
-  return file;
-}
-
 stetro_dds::NodeOptions node_options()
 {
   stetro_dds::NodeOptions options;
@@ -79,10 +70,8 @@ DemoRun::DemoRun(
   progress_(std::cout, isatty(STDOUT_FILENO) == 1)
 {
   if (task.is_journey) {
-    auto walls = opened(options.out + "/walls.csv");
-    write_walls(walls, deployment.site);
-    path_file_ = opened(options.out + "/path.csv");
-    path_.emplace(path_file_);
+    files_.emplace(options.out, deployment.site);
+    demo_.hear_checks([this](const CheckSample & check) { files_->add(check); });
   }
 }
 
@@ -93,9 +82,8 @@ void DemoRun::take(const TraceRow & row, bool standing)
   if (standing) {
     report_.add_sweeping(row);
   }
-  if (path_) {
-    const auto truth = row.truth ? journey_.frames().in_map(*row.truth) : std::nullopt;
-    path_->write(row, journey_.frames().in_map(row.estimate), truth);
+  if (files_) {
+    files_->add(row);
   }
 }
 
@@ -166,17 +154,23 @@ ClimbOutcome DemoRun::outcome() const
   outcome.staircase = demo_.staircase();
   outcome.hand_overs = journey_.hand_overs();
   outcome.kidnaps = journey_.kidnaps();
+  if (!options_.no_ground_truth) {
+    outcome.kidnaps_asked = task_.kidnaps_on;
+  }
   outcome.faults = demo_.faults();
   outcome.faults.insert(outcome.faults.end(), troubles_.begin(), troubles_.end());
+  outcome.shortfalls = shortfalls(outcome, task_.goal);
   return outcome;
 }
 
-int DemoRun::report()
+ClimbOutcome DemoRun::report()
 {
   progress_.close();
   recorder_.flush();
   trace_file_.close();
-  path_file_.close();
+  if (files_) {
+    files_->close(journey_.kidnaps());
+  }
   const ClimbOutcome result = outcome();
   const ClimbErrors errors = report_.errors();
   auto steps = opened(options_.out + "/steps.csv");
@@ -193,7 +187,7 @@ int DemoRun::report()
     }
   }
   std::cout << "\nresults in " << options_.out << std::endl;
-  return succeeded(result, task_.goal) ? 0 : 1;
+  return result;
 }
 
 void DemoRun::draw(const std::string & plot) const

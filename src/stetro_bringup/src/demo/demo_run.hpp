@@ -20,9 +20,9 @@
 #include <string>
 #include <vector>
 
-#include "building_plan.hpp"
 #include "demo_node.hpp"
 #include "demo_options.hpp"
+#include "journey_files.hpp"
 #include "progress.hpp"
 #include "stetro_bringup/climb_report.hpp"
 #include "stetro_bringup/journey_report.hpp"
@@ -57,8 +57,8 @@ public:
   /// Tells that the run cannot go on, for example because a process has died.
   void give_up(const std::string & reason);
 
-  /// Writes the results, draws them and prints the report. \return the exit status
-  int report();
+  /// Writes the results, draws them and prints the report.
+  ClimbOutcome report();
 
 private:
   [[nodiscard]] ClimbOutcome outcome() const;
@@ -75,8 +75,7 @@ private:
   TraceWriter trace_;
   ClimbReport report_;
   JourneyReport journey_;
-  std::ofstream path_file_;
-  std::optional<PathWriter> path_;  // of a journey
+  std::optional<JourneyFiles> files_;  // of a journey
   Recorder recorder_;
   DemoNode demo_;
   Progress progress_;

@@ -27,7 +27,10 @@
 #include "demo_options.hpp"
 #include "demo_run.hpp"
 #include "installation.hpp"
+#include "journey_files.hpp"
+#include "journey_plan.hpp"
 #include "stetro_bringup/robot.hpp"
+#include "stetro_bringup/series_report.hpp"
 #include "stetro_site/fit.hpp"
 
 namespace stetro_bringup
@@ -51,7 +54,7 @@ std::vector<Component> components(const DemoOptions & options, const Task & task
     {"supervisor", supervisor_settings(options, task)}};
 }
 
-int run_in_process(
+ClimbOutcome run_in_process(
   const DemoOptions & options, const Task & task, const stetro_site::Deployment & deployment,
   const stetro_dds::Launch & interruptible)
 {
@@ -89,7 +92,7 @@ std::unique_ptr<ChildProcess> started(const Component & component, const DemoOpt
   return std::make_unique<ChildProcess>(command, options.out + '/' + component.node + ".log");
 }
 
-int run_over_dds(
+ClimbOutcome run_over_dds(
   const DemoOptions & options, const Task & task, const stetro_site::Deployment & deployment,
   const stetro_dds::Launch & launch)
 {
@@ -120,7 +123,6 @@ int run_over_dds(
   return run.report();
 }
 
-// The only flight of the site, or the one that was named.
 // A domain of the demo's own on this computer: a robot that lives on the caller's domain is not to
 // be commanded by a demo. Held by a lock, so that two demos do not meet either.
 void take_domain()
@@ -150,10 +152,54 @@ void take_domain()
 std::string introduction(const Task & task, const stetro_site::Site & site)
 {
   if (task.is_journey) {
-    return "going from the foot of '" + task.start + "' to floor '" + task.goal.segment + "' of " +
-           site.name();
+    return "going from floor '" + site.flight(task.start).spec().lower_floor + "' to floor '" +
+           task.goal.segment + "' of " + site.name();
   }
   return "climbing " + std::to_string(task.goal.step) + " steps of '" + task.goal.segment + "'";
+}
+
+ClimbOutcome run_once(
+  DemoOptions options, const stetro_site::Deployment & deployment,
+  const stetro_dds::Launch & launch)
+{
+  Task task = task_of(options, deployment.site);
+  if (task.is_journey) {
+    const JourneyPlan plan = plan_journey(deployment, task.start, task.goal.segment, options.seed);
+    task.start_pose = plan.start;
+    options.faults = with_kidnaps_on_floors(options.faults, plan.floors, options.seed);
+    task.kidnaps_on = floors_of_kidnaps(options.faults);
+  }
+  start_afresh(options);
+  std::cout << introduction(task, deployment.site) << ", seed " << options.seed
+            << (options.in_process
+                  ? ", in one process"
+                  : std::string(", three processes on ROS_DOMAIN_ID=") + getenv("ROS_DOMAIN_ID"))
+            << std::endl;
+  if (!options.faults.empty()) {
+    std::cout << "faults: " << fault_list(options) << std::endl;
+  }
+  return options.in_process ? run_in_process(options, task, deployment, launch)
+                            : run_over_dds(options, task, deployment, launch);
+}
+
+// Each with results of its own; the sum is kept up to date, for a series takes its time.
+int run_series(
+  const DemoOptions & options, const stetro_site::Deployment & deployment,
+  const stetro_dds::Launch & launch)
+{
+  SeriesReport series;
+  std::filesystem::create_directories(options.out);
+  for (std::int64_t i = 0; i < options.seeds && !launch.stop_requested(); ++i) {
+    DemoOptions one = options;
+    one.seed += static_cast<std::uint64_t>(i);
+    one.out += "/seed_" + std::to_string(one.seed);
+    series.add(run_once(one, deployment, launch));
+    opened(options.out + "/series.json") << series.json();
+    std::cout << std::endl;
+  }
+  series.print(std::cout);
+  std::cout << "\nresults in " << options.out << std::endl;
+  return series.succeeded() ? 0 : 1;
 }
 
 int demonstrate(DemoOptions options, const stetro_dds::Launch & launch)
@@ -163,15 +209,10 @@ int demonstrate(DemoOptions options, const stetro_dds::Launch & launch)
     options.robot = shipped_file("robot/stetro.yaml");
   }
   const auto deployment = stetro_site::load_deployment(options.site, options.robot);
-  const Task task = task_of(options, deployment.site);
-  start_afresh(options);
-  std::cout << introduction(task, deployment.site) << ", seed " << options.seed
-            << (options.in_process
-                  ? ", in one process"
-                  : std::string(", three processes on ROS_DOMAIN_ID=") + getenv("ROS_DOMAIN_ID"))
-            << std::endl;
-  return options.in_process ? run_in_process(options, task, deployment, launch)
-                            : run_over_dds(options, task, deployment, launch);
+  if (options.seeds > 1) {
+    return run_series(options, deployment, launch);
+  }
+  return run_once(options, deployment, launch).shortfalls.empty() ? 0 : 1;
 }
 
 }  // namespace
