@@ -109,7 +109,9 @@ TEST_F(OnTheLanding, AKidnapIsNoticedAndTheRobotFindsItsWay)
 {
   wait_until_found();
   const std::size_t first = run_.truth.count();
-  ASSERT_EQ(go(), "accepted") << run_.stack.tails();
+  const auto accepted = [this] { return go() == "accepted"; };
+  ASSERT_TRUE(poll_until(accepted, kPatience)) << "the supervisor has to hear of the pose, too\n"
+                                               << run_.stack.tails();
   run_.pose.forget();
   const auto noticed = run_.pose.wait_for(
     [](const StairPose & pose) {
