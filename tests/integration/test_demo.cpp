@@ -75,4 +75,25 @@ TEST(DemoOverDds, LeavesWhatTheReadmeSays)
   }
 }
 
+TEST(DemoJourney, GoesFromFloorToFloorAndIsCarriedOffOnEach)
+{
+  DemoRun demo(
+    {"--in-process", "--no-plots", "--site", "two_floors", "--faults", "kidnap", "--seed", "3"});
+  ASSERT_EQ(demo.wait(480s), 0) << demo.tail();
+  const auto summary = nlohmann::json::parse(demo.file("summary.json"));
+  EXPECT_EQ(summary["final_segment"], "first");
+  EXPECT_TRUE(summary["shortfalls"].empty()) << summary["shortfalls"];
+  ASSERT_EQ(summary["kidnaps"].size(), 3u);
+  for (const auto & kidnap : summary["kidnaps"]) {
+    EXPECT_LE(kidnap["noticed_after_s"], 5.0) << kidnap;
+    EXPECT_FALSE(kidnap["relocalised_after_s"].is_null()) << kidnap;
+  }
+  EXPECT_EQ(summary["hand_overs"].size(), 4u) << summary["hand_overs"];
+  for (const auto & passing : summary["hand_overs"]) {
+    EXPECT_LE(passing["jump_m"], 0.01) << passing;
+  }
+  const std::string checks = demo.file("checks.csv");
+  EXPECT_GT(std::count(checks.begin(), checks.end(), '\n'), 50) << checks;
+}
+
 }  // namespace stetro_tests
