@@ -37,6 +37,16 @@ bool is_free_state(State state)
   return state == State::kIdle || state == State::kAborted || state == State::kFinished;
 }
 
+constexpr double kRecentScan_s = 0.5;
+constexpr double kClearly = 0.8;  // of the yaw rate at which scans are used: wheels are uneven
+
+/// A turn that is slow enough for its scans to be used.
+MotionCommand slowed(MotionCommand command, double most_rad_s)
+{
+  command.wz_rps = std::clamp(command.wz_rps, -most_rad_s, most_rad_s);
+  return command;
+}
+
 std::vector<const DrawnFloor *> pointers(
   const std::map<std::string, std::shared_ptr<const DrawnFloor>> & floors)
 {
@@ -116,6 +126,11 @@ MotionCommand Journey::tick(Time now, const Observation & seen)
     command = ended ? nothing() : drive_.tick(now, seen, drive_pose());
     if (!ended) {
       follow_drive();
+    }
+    // Half a turn at full speed takes longer than a robot that was carried off may go on.
+    const bool scans = seen.scan && seconds_between(seen.scan->time, now) <= kRecentScan_s;
+    if (scans && check_->awaits_scan(now)) {
+      command = slowed(command, kClearly * params_.check_turn_rad_s);
     }
   }
   moving_ = command.moves();

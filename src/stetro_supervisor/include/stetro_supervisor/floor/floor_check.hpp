@@ -83,6 +83,12 @@ public:
   /// Looks as soon as there is a scan for it.
   void request() { requested_ = true; }
 
+  /// A check is asked for, or overdue by one interval; a scan of it must not be smeared.
+  [[nodiscard]] bool awaits_scan(Time now) const
+  {
+    return requested_ || seconds_between(last_check_, now) > 2.0 * params_.check_every_s;
+  }
+
   void tick(Time now, const Observation & seen, const CheckContext & context);
 
   /// Of the last tick, if there was one.
