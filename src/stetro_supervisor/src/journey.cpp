@@ -262,8 +262,9 @@ void Journey::follow_drive()
   tell(
     "floor '" + floor_ + "': " + to_string(changed->from) + " -> " + to_string(changed->to) + ": " +
     changed->why);
-  if (changed->to == DriveState::kSteerAlong || changed->to == DriveState::kHandOver) {
-    check_->request();  // it stands at a turning point
+  const bool turns = changed->to == DriveState::kSteerAlong || changed->to == DriveState::kHandOver;
+  if (turns || changed->to == DriveState::kBlocked) {
+    check_->request();  // it stands; and what is in the way may be a wall, and the pose wrong
   }
   if (changed->to == DriveState::kAborted) {
     part_ = Part::kAborted;
