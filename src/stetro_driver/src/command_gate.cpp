@@ -139,6 +139,7 @@ InForce CommandGate::in_force(const GateClocks & clocks)
   InForce result;
   if (lease_) {
     result.command = lease_->command;
+    result.until = lease_->deadline;
   }
   result.expired = std::move(expired_);
   expired_.reset();

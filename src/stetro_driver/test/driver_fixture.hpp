@@ -29,6 +29,7 @@
 #include "stetro_dds/qos.hpp"
 #include "stetro_dds/stamp.hpp"
 #include "stetro_driver/driver_node.hpp"
+#include "stetro_driver/sim_robot.hpp"
 #include "stetro_driver/site_shape.hpp"
 #include "stetro_msgs/Clock.hpp"
 #include "stetro_msgs/Command.hpp"
@@ -120,13 +121,13 @@ protected:
     }
   }
 
-  [[nodiscard]] double x_m() const { return driver_->robot().truth().x_m; }
+  [[nodiscard]] double x_m() const { return driver_->world()->truth().x_m; }
 
   /// A valid command to roll forward at 0.1 m/s.
   Command roll()
   {
     Command message;
-    message.header().stamp(stetro_dds::stamp_of(driver_->robot().time()));
+    message.header().stamp(stetro_dds::stamp_of(driver_->world()->time()));
     message.sequence_number(++sequence_);
     message.issuer("supervisor");
     message.issuer_instance(7);

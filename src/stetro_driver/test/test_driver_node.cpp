@@ -119,7 +119,7 @@ TEST_F(DriverNodeTest, SaysWhenALiftHasArrived)
     done = answers_.back().outcome() == status::OUTCOME_DONE;
   }
   EXPECT_TRUE(done);
-  EXPECT_NEAR(driver_->robot().truth().block_heights_m[0], 0.18, 1e-9);
+  EXPECT_NEAR(driver_->world()->truth().block_heights_m[0], 0.18, 1e-9);
 }
 
 TEST_F(DriverNodeTest, RefusesAndCounts)
@@ -181,7 +181,7 @@ TEST_F(DriverNodeTest, WaitsOnlyForASupervisorThatItObeys)
   refused.vx(99.0);
   EXPECT_EQ(ask(refused).reason(), status::REASON_OUT_OF_BOUNDS);
   const Time begin = stetro_dds::Clock::steady_now();
-  driver_->run(executor_, [&] { return driver_->robot().time() >= milliseconds{1'000'500}; });
+  driver_->run(executor_, [&] { return driver_->world()->time() >= milliseconds{1'000'500}; });
   EXPECT_LT(stetro_dds::Clock::steady_now() - begin, milliseconds{200}) << "10 ms, and no patience";
 }
 
@@ -203,8 +203,8 @@ TEST_F(DriverNodeTest, RunsFasterThanRealTimeUntilToldToStop)
   params.sim.speed = 50.0;
   launch(params);
   const Time begin = stetro_dds::Clock::steady_now();
-  const Time from = driver_->robot().time();
-  driver_->run(executor_, [&] { return driver_->robot().time() - from >= seconds{5}; });
+  const Time from = driver_->world()->time();
+  driver_->run(executor_, [&] { return driver_->world()->time() - from >= seconds{5}; });
   const Time took = stetro_dds::Clock::steady_now() - begin;
   EXPECT_GE(took, milliseconds{95});
   EXPECT_LT(took, seconds{5});
@@ -219,7 +219,7 @@ TEST_F(DriverNodeTest, WaitsForALocalizerThatFallsSilent)
   pose.header().stamp().sec(1000);
   pose_->publish(pose);
   const Time begin = stetro_dds::Clock::steady_now();
-  driver_->run(executor_, [&] { return driver_->robot().time() >= milliseconds{1'000'200}; });
+  driver_->run(executor_, [&] { return driver_->world()->time() >= milliseconds{1'000'200}; });
   // 90 ms at speed 50, 200 ms of patience, then 110 ms at real time.
   EXPECT_GE(stetro_dds::Clock::steady_now() - begin, milliseconds{300});
 }

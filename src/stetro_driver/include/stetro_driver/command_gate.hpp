@@ -118,6 +118,7 @@ struct Expiry
 struct InForce
 {
   JointCommand command{};         ///< kHold when nothing is in force
+  Time until{0};                  ///< robot time at which it runs out; zero for that hold
   std::optional<Expiry> expired;  ///< a command ran out since the last call
 };
 

@@ -20,29 +20,38 @@
 
 #include "stetro_dds/executor.hpp"
 #include "stetro_dds/node.hpp"
+#include "stetro_driver/driver_hardware.hpp"
 #include "stetro_driver/driver_setup.hpp"
-#include "stetro_driver/sim_robot.hpp"
 
 namespace stetro_driver
 {
 
 /// The driver on the wire: what the robot senses goes out, commands come in and run out.
 /**
- * The simulated robot's node owns simulated time. Two ways to let it pass:
+ * A world that waits for its steps leaves time to this node. Two ways to let it pass:
  *
  *   step()  one tick per call and no clock read: a process that holds all nodes calls it and
  *           drains the executor after each, and its run is repeatable;
  *   run()   ticks at `sim.speed` of the steady clock, slower when localizer or supervisor fall
  *           behind (Pacer).
  *
- * Everything belongs to the executor's thread.
+ * The time of a real robot, or of an emulated one, passes by itself: only run(), which keeps a
+ * control loop of fixed rate in a thread of its own.
+ *
+ * Everything else belongs to the executor's thread.
  */
 class DriverNode
 {
 public:
-  /// Opens the topics. \param options of the node; its time is the simulation's, whatever they say
+  /// Opens the topics, around the robot that the parameters name.
+  /** \param options of the node; its time is the robot's, whatever they say */
   DriverNode(
     stetro_dds::Context & context, stetro_dds::NodeOptions options, const DriverSetup & setup);
+
+  /// The same around a robot that the caller has made.
+  DriverNode(
+    stetro_dds::Context & context, stetro_dds::NodeOptions options, const DriverSetup & setup,
+    DriverHardware hardware);
   ~DriverNode();
 
   /// Configures the hardware, and powers it if the parameters say so. Standing and holding.
@@ -54,13 +63,15 @@ public:
   void start();
 
   /// One tick: the command in force, the world, the topics.
+  /** \throws std::logic_error unless the world waits for its steps */
   void step();
 
-  /// Ticks until `stop()` says so, giving the executor its turns in between.
+  /// Goes on until `stop()` says so, giving the executor its turns in between.
+  /** \throws HardwareError when the control loop ends by itself; the robot stands then, too */
   void run(stetro_dds::Executor & executor, const std::function<bool()> & stop);
 
   [[nodiscard]] stetro_dds::Node & node();
-  [[nodiscard]] const SimRobot & robot() const;
+  [[nodiscard]] const SimulatedWorld * world() const;  ///< null: the robot is real
 
 private:
   class Body;

@@ -16,6 +16,9 @@
 #define STETRO_DRIVER__HARDWARE_INTERFACE_HPP_
 
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "stetro_driver/joint_command.hpp"
 #include "stetro_driver/result.hpp"
@@ -25,13 +28,22 @@
 namespace stetro_driver
 {
 
+/// How one device of the robot is doing, for people.
+struct DeviceStatus
+{
+  std::string name;
+  std::optional<IoFault> fault{};  ///< that it has now; nothing: it is well
+  std::vector<std::pair<std::string, std::string>> figures{};  ///< name and value, with its unit
+};
+
 /// One robot, real or simulated. SI units and the frame base_link on this side of it.
 /**
  *   (made)   --configure()-->   INACTIVE   sensors are read, motors have no power, lifts are braked
  *   INACTIVE --activate()--->   ACTIVE     the robot may move, and moves only as write() says
  *   ACTIVE   --deactivate()->   INACTIVE
  *
- * Called from one thread, but for make_safe().
+ * One call at a time, but for make_safe(). Time is the caller's: the computer's or a simulated one;
+ * stamps in a frame are of the same clock.
  */
 class HardwareInterface
 {
@@ -55,14 +67,22 @@ public:
   /** \throws HardwareError while the button is pressed */
   virtual void reset_emergency_stop() = 0;
 
-  /// What the sensors say now.
+  /// What the sensors say now. A sensor that is in trouble says so in its own reading.
+  /** A `now` that is not the present, or is before the last one, is a fault of kind kTime. */
   virtual Result<SensorFrame> read(Time now) = 0;
 
   /// Tells the motors what to do until the next write. Nothing: it went well.
+  /**
+   * What is refused is not done: the robot holds. Hardware may refuse to move while one of its
+   * devices is in trouble; the fault is then that device's, and ends when it is well again.
+   */
   virtual std::optional<IoFault> write(const JointCommand & command) = 0;
 
   /// Stops and holds; in any state, from any thread, twice.
   virtual void make_safe() noexcept = 0;
+
+  /// How its devices are doing; from any thread. Nothing to tell: none.
+  [[nodiscard]] virtual std::vector<DeviceStatus> devices() const { return {}; }
 };
 
 }  // namespace stetro_driver

@@ -66,6 +66,7 @@ struct DriverParams
   std::string flight;
   bool start_active = true;
   bool range_topics = false;
+  double loop_rate_hz = 100.0;
   CommandParams command;
   SimParams sim;
 };
@@ -125,6 +126,9 @@ void visit(DriverParams & p, Visitor && each)
   each(
     "start_active", p.start_active, Any{}, "power the motors at the start, standing and holding");
   each("range_topics", p.range_topics, Any{}, "publish range/<sensor> too, for RViz");
+  each(
+    "loop_rate_hz", p.loop_rate_hz, stetro_config::Within{20.0, 500.0},
+    "cycles of the control loop a second; a simulation has its own");
   visit(p.command, Group{"command", each});
   visit(p.sim, Group{"sim", each});
 }

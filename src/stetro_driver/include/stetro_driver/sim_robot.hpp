@@ -27,8 +27,8 @@
 #include "stetro_driver/hardware_interface.hpp"
 #include "stetro_driver/sim_errors.hpp"
 #include "stetro_driver/sim_faults.hpp"
+#include "stetro_driver/simulated_world.hpp"
 #include "stetro_driver/stair_shape.hpp"
-#include "stetro_site/pose.hpp"
 
 namespace stetro_driver
 {
@@ -56,37 +56,14 @@ struct SimOptions
   Time origin = std::chrono::seconds{1000};  ///< simulated time starts here, well above zero
 };
 
-/// What is really so. For looking only: nothing of the robot may read it.
-/**
- * On a floor that somebody has drawn, while base_link is neither on nor over the stairs, the
- * segment is the floor; its frame is the floor's, `step` is 0, and what is said of treads is NaN.
- * Else it is the flight, also on the floors before and behind it.
- */
-struct GroundTruth
+/// What wheels, lifts and steering did in one tick, moved by motors that are not the simulation's.
+struct SimActuation
 {
-  Time time{0};
-  std::string segment{};  ///< id of the flight or floor, which is also the name of its frame
-  bool on_floor = false;  ///< the segment is a floor
-  int step = 0;           ///< tread block 2 stands, or last stood, on; 0 the floor below
-  double x_m = 0.0;       ///< base_link in the segment's frame
-  double y_m = 0.0;
-  double z_m = 0.0;  ///< of the surface of `step`
-  double yaw_rad = 0.0;
-  stetro_site::Pose in_map{};  ///< the same pose in `map`, heights as built
-  double tread_x_m = 0.0;      ///< from the riser behind, the tread's own edge, at the robot's y
-  double riser_ahead_m = 0.0;  ///< to the next riser's face; NaN on the last step
-  double tread_width_m = 0.0;  ///< from wall to wall at the robot's x
-  double heading_rad = 0.0;    ///< yaw against the next riser's direction; yaw on the last step
-  std::array<double, kBlocks> block_heights_m{};  ///< undersides in the segment's frame
-  bool fallen = false;
-};
-
-/// What became of an old snapshot.
-enum class ResumeOutcome {
-  kFresh,    ///< there was none
-  kResumed,  ///< the world goes on from it, standing and holding
-  kDamaged,  ///< not used, kept beside as `<path>.refused`
-  kForeign,  ///< of another world, not used, kept beside
+  double vx_m_s = 0.0;  ///< at which the wheels turned, in base_link
+  double vy_m_s = 0.0;
+  double wz_rad_s = 0.0;
+  std::array<double, kBlocks> lifted_m{};  ///< each block against its neighbours, upwards positive
+  double steering_rad = 0.0;               ///< where the wheels point
 };
 
 /// The simulated robot in its simulated world.
@@ -97,11 +74,9 @@ enum class ResumeOutcome {
  * 20 ms late, the lidar if it is wanted. With a snapshot path the world is stored after each tick,
  * before anyone is told.
  */
-class SimRobot final : public HardwareInterface
+class SimRobot final : public HardwareInterface, public SteppedWorld
 {
 public:
-  static constexpr Time kTick = std::chrono::milliseconds{10};
-
   /// \throws std::invalid_argument when the robot does not fit where it starts, or a shape is empty
   SimRobot(const BuildingShape & building, const BodyShape & body, const SimOptions & options);
 
@@ -117,14 +92,16 @@ public:
   std::optional<IoFault> write(const JointCommand & command) override;
   void make_safe() noexcept override;
 
-  /// Lets the world go on by one tick. Only after configure().
-  void step();
+  void step() override;  ///< only after configure()
 
-  [[nodiscard]] Time time() const;
-  [[nodiscard]] GroundTruth truth() const;
+  /// One tick in which the body is moved by other motors than those that write() commands.
+  void step(const SimActuation & moved);
 
-  [[nodiscard]] ResumeOutcome resume_outcome() const;
-  [[nodiscard]] const std::string & resume_detail() const;  ///< in words, for a log
+  [[nodiscard]] Time time() const override;
+  [[nodiscard]] GroundTruth truth() const override;
+
+  [[nodiscard]] ResumeOutcome resume_outcome() const override;
+  [[nodiscard]] const std::string & resume_detail() const override;
 
   /// Everything that the future depends on, as bytes: equal bytes, equal future.
   [[nodiscard]] std::vector<std::uint8_t> state() const;

@@ -77,14 +77,14 @@ std::optional<stetro_dds::Refusal> CommandDesk::offer(
   return std::nullopt;
 }
 
-JointCommand CommandDesk::in_force(const GateClocks & clocks)
+InForce CommandDesk::in_force(const GateClocks & clocks)
 {
-  const InForce in_force = gate_.in_force(clocks);
+  InForce in_force = gate_.in_force(clocks);
   if (in_force.expired) {
     tell(*in_force.expired, status::OUTCOME_EXPIRED, status::REASON_NONE, "", clocks.now);
     current_.reset();
   }
-  return in_force.command;
+  return in_force;
 }
 
 void CommandDesk::observe(const SensorFrame & frame)

@@ -38,7 +38,7 @@ public:
     const CommandRequest & request, const GateClocks & clocks, const GateSituation & situation);
 
   /// What acts now; says so when something ran out.
-  JointCommand in_force(const GateClocks & clocks);
+  InForce in_force(const GateClocks & clocks);
 
   /// Says once when what acts has reached what it asked for.
   void observe(const SensorFrame & frame);

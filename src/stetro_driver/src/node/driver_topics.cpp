@@ -31,12 +31,11 @@ constexpr Time kContactsPeriod = std::chrono::milliseconds{100};
 
 }  // namespace
 
-DriverTopics::DriverTopics(stetro_dds::Node & node, const DriverSetup & setup)
+DriverTopics::DriverTopics(stetro_dds::Node & node, const DriverSetup & setup, World world)
 : body_(shape_of(setup.robot)),
   site_(setup.site),
-  lidar_(sim_options(setup).lidar),
+  lidar_(world == World::kReal || sim_options(setup).lidar),
   range_sensor_(setup.robot.geometry.range_sensor),
-  clock_(node.advertise<rosgraph_msgs::msg::Clock>("/clock", qos::kClock)),
   ranges_(node.advertise<stetro_msgs::msg::RangeArray>("ranges", qos::kSensor)),
   contacts_(node.advertise<stetro_msgs::msg::Contacts>("contacts", qos::kContacts)),
   blocks_(node.advertise<stetro_msgs::msg::BlockStates>("blocks", qos::kSensor)),
@@ -45,10 +44,14 @@ DriverTopics::DriverTopics(stetro_dds::Node & node, const DriverSetup & setup)
   transforms_(node.advertise<tf2_msgs::msg::TFMessage>("/tf", qos::kTf)),
   static_transforms_(node.advertise<tf2_msgs::msg::TFMessage>("/tf_static", qos::kTfStatic))
 {
-  if (setup.params.sim.ground_truth) {
+  const bool simulated = world == World::kSimulated;
+  if (simulated) {
+    clock_ = &node.advertise<rosgraph_msgs::msg::Clock>("/clock", qos::kClock);
+  }
+  if (simulated && setup.params.sim.ground_truth) {
     ground_truth_ = &node.advertise<stetro_msgs::msg::StairPose>("ground_truth", qos::kSensor);
   }
-  if (lidar_) {
+  if (simulated && lidar_) {
     scan_ = &node.advertise<sensor_msgs::msg::LaserScan>("scan", qos::kSensor);
   }
   if (setup.params.range_topics) {
@@ -66,7 +69,9 @@ void DriverTopics::publish_static(Time now)
 
 void DriverTopics::publish(const SensorFrame & frame)
 {
-  clock_.publish(to_clock(frame.time));
+  if (clock_ != nullptr) {
+    clock_->publish(to_clock(frame.time));
+  }
   odometry_.publish(to_odometry(frame.odometry));
   if (!frame.gyro.fault && frame.gyro.stamp > Time::zero()) {
     imu_.publish(to_imu(frame.gyro));

@@ -26,18 +26,23 @@
 namespace stetro_driver
 {
 
+/// Whose robot it is. A simulation makes the time of everyone, and knows what is really so.
+enum class World { kReal, kSimulated };
+
 /// What a driver tells: one publisher a topic, each at its rate.
 /**
- *   /clock, imu/data, odom, ground_truth   each tick, 100 Hz
+ *   imu/data, odom                         each tick, 100 Hz
+ *   /clock, ground_truth                   the same, of a simulation
  *   ranges, blocks, /tf                    with each cycle of the range sensors, 30 Hz
  *   contacts                               on change, and each 100 ms
- *   scan                                   with each turn of the lidar, if there is one
+ *   scan                                   with each turn of a simulated lidar; a real one has
+ *                                          a driver of its own
  *   /tf_static                             once
  */
 class DriverTopics
 {
 public:
-  DriverTopics(stetro_dds::Node & node, const DriverSetup & setup);
+  DriverTopics(stetro_dds::Node & node, const DriverSetup & setup, World world);
 
   void publish_static(Time now);
   void publish(const SensorFrame & frame);
@@ -48,9 +53,8 @@ private:
 
   const BodyShape body_;
   const stetro_site::Site site_;
-  const bool lidar_;
+  const bool lidar_;  // its place is told
   const stetro_site::RangeSensor range_sensor_;
-  stetro_dds::Publisher<rosgraph_msgs::msg::Clock> & clock_;
   stetro_dds::Publisher<stetro_msgs::msg::RangeArray> & ranges_;
   stetro_dds::Publisher<stetro_msgs::msg::Contacts> & contacts_;
   stetro_dds::Publisher<stetro_msgs::msg::BlockStates> & blocks_;
@@ -58,6 +62,7 @@ private:
   stetro_dds::Publisher<nav_msgs::msg::Odometry> & odometry_;
   stetro_dds::Publisher<tf2_msgs::msg::TFMessage> & transforms_;
   stetro_dds::Publisher<tf2_msgs::msg::TFMessage> & static_transforms_;
+  stetro_dds::Publisher<rosgraph_msgs::msg::Clock> * clock_ = nullptr;
   stetro_dds::Publisher<stetro_msgs::msg::StairPose> * ground_truth_ = nullptr;
   stetro_dds::Publisher<sensor_msgs::msg::LaserScan> * scan_ = nullptr;
   std::vector<stetro_dds::Publisher<sensor_msgs::msg::Range> *> range_topics_;  // none, or all

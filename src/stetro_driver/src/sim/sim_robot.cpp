@@ -15,51 +15,13 @@
 #include "stetro_driver/sim_robot.hpp"
 
 #include <cassert>
-#include <cmath>
+#include <string>
 
+#include "command_rules.hpp"
 #include "sim/sim_world.hpp"
 
 namespace stetro_driver
 {
-namespace
-{
-
-constexpr double kHalfPi = 1.57079632679489661923;
-constexpr double kAligned = 0.03;  // wheels nearer than this stand in a direction [rad]
-
-std::optional<IoFault> nonsense_in(const JointCommand & command)
-{
-  if (command.kind >= MotionKind::kUnknown) {
-    return IoFault{IoFaultKind::kBadCommand, "unknown kind of motion"};
-  }
-  const double sum = command.vx_m_s + command.vy_m_s + command.wz_rad_s + command.steering_rad;
-  if (!std::isfinite(sum)) {
-    return IoFault{IoFaultKind::kBadCommand, "a speed or an angle is NaN or infinite"};
-  }
-  const bool lifts = command.kind == MotionKind::kLift || command.kind == MotionKind::kLower;
-  if (lifts && (command.block < 1 || command.block > 3)) {
-    return IoFault{IoFaultKind::kBadCommand, "block " + std::to_string(command.block)};
-  }
-  return std::nullopt;
-}
-
-std::optional<IoFault> wheels_refuse(const JointCommand & command, double steering_rad)
-{
-  if (command.kind != MotionKind::kTwist) {
-    return std::nullopt;
-  }
-  const bool along_x = command.vx_m_s != 0.0;
-  const bool along_y = command.vy_m_s != 0.0 || command.wz_rad_s != 0.0;
-  if (along_x && std::abs(steering_rad) > kAligned) {
-    return IoFault{IoFaultKind::kWrongSteering, "vx needs the wheels at 0"};
-  }
-  if (along_y && std::abs(steering_rad - kHalfPi) > kAligned) {
-    return IoFault{IoFaultKind::kWrongSteering, "vy and wz need the wheels at pi/2"};
-  }
-  return std::nullopt;
-}
-
-}  // namespace
 
 SimRobot::SimRobot(
   const BuildingShape & building, const BodyShape & body, const SimOptions & options)
@@ -160,6 +122,12 @@ void SimRobot::step()
 {
   assert(world_->configured);
   world_->tick();
+}
+
+void SimRobot::step(const SimActuation & moved)
+{
+  assert(world_->configured);
+  world_->tick(moved);
 }
 
 Time SimRobot::time() const { return world_->time; }

@@ -97,17 +97,33 @@ void SimRobot::World::hold() { command = JointCommand{}; }
 
 void SimRobot::World::tick()
 {
-  ++ticks;
-  time += SimRobot::kTick;
-  faults.advance(time_to_seconds(time - options.origin));
-  strike_faults();
+  begin_tick();
   const bool may_move =
     active && !safe.load() && body.fall() == sim::Fall::kNone && !contacts.emergency_stop_latched();
   if (!may_move) {
     hold();
   }
+  end_tick(actuate());
+}
+
+void SimRobot::World::tick(const SimActuation & moved)
+{
+  begin_tick();
+  end_tick(actuate(moved));
+}
+
+void SimRobot::World::begin_tick()
+{
+  ++ticks;
+  time += SimRobot::kTick;
+  faults.advance(time_to_seconds(time - options.origin));
+  strike_faults();
+}
+
+void SimRobot::World::end_tick(const sim::WheelSpeeds & told)
+{
   const double yaw_before_rad = body.pose().yaw_rad;
-  move(actuate());
+  move(told);
   const double turned_rad = body.pose().yaw_rad - yaw_before_rad;
   settle();
   note_driving();
@@ -151,18 +167,11 @@ sim::WheelSpeeds SimRobot::World::actuate()
     case MotionKind::kTwist:
       return {command.vx_m_s, command.vy_m_s, command.wz_rad_s};
     case MotionKind::kLift:
-    case MotionKind::kLower: {
-      const double before_m = body.underside_m(command.block);
-      const double most_m = shape.lift_speed_m_s * kTickSeconds;
-      if (command.kind == MotionKind::kLift) {
-        body.lift(command.block, most_m);
-      } else {
-        body.lower(command.block, most_m);
-      }
-      lift_moved[static_cast<std::size_t>(command.block - 1)] =
-        body.underside_m(command.block) != before_m;
+      lift(command.block, shape.lift_speed_m_s * kTickSeconds);
       return {};
-    }
+    case MotionKind::kLower:
+      lift(command.block, -shape.lift_speed_m_s * kTickSeconds);
+      return {};
     case MotionKind::kSteer: {
       const double most_rad = shape.steer_speed_rad_s * kTickSeconds;
       const double left_rad = command.steering_rad - steering.angle_rad;
@@ -174,6 +183,28 @@ sim::WheelSpeeds SimRobot::World::actuate()
     default:
       return {};
   }
+}
+
+sim::WheelSpeeds SimRobot::World::actuate(const SimActuation & moved)
+{
+  lift_moved.fill(false);
+  for (int block = 1; block <= 3; ++block) {
+    lift(block, moved.lifted_m[static_cast<std::size_t>(block - 1)]);
+  }
+  steering.moving = steering.angle_rad != moved.steering_rad;
+  steering.angle_rad = moved.steering_rad;
+  return {moved.vx_m_s, moved.vy_m_s, moved.wz_rad_s};
+}
+
+void SimRobot::World::lift(int block, double up_m)
+{
+  const double before_m = body.underside_m(block);
+  if (up_m > 0.0) {
+    body.lift(block, up_m);
+  } else if (up_m < 0.0) {
+    body.lower(block, -up_m);
+  }
+  lift_moved[static_cast<std::size_t>(block - 1)] = body.underside_m(block) != before_m;
 }
 
 void SimRobot::World::move(const sim::WheelSpeeds & told)

@@ -60,6 +60,7 @@ struct SimRobot::World
 
   /// One tick: faults, actuators, body, sensors. Stores the snapshot last.
   void tick();
+  void tick(const SimActuation & moved);
 
   void open_snapshot();
   void hold();
@@ -124,7 +125,11 @@ private:
   [[nodiscard]] bool resume(const std::vector<std::uint8_t> & bytes);
   void note_driving();
   void strike_faults();
+  void begin_tick();
+  void end_tick(const sim::WheelSpeeds & told);
   [[nodiscard]] sim::WheelSpeeds actuate();
+  [[nodiscard]] sim::WheelSpeeds actuate(const SimActuation & moved);
+  void lift(int block, double up_m);
   void move(const sim::WheelSpeeds & told);
   void slip_onto_old_tread(const sim::WheelSpeeds & told);
   void measure(double yaw_rate_rad_s);
