@@ -236,5 +236,23 @@ TEST(Convert, WhatTheGyroDoesNotMeasureIsSaidSo)
   EXPECT_EQ(message.angular_velocity().z(), 0.25);
 }
 
+TEST(Convert, AnAttitudeAndAnAccelerationArePublishedWhenKnown)
+{
+  GyroReading gyro;
+  gyro.attitude = AttitudeReading{{0.1, -0.3, 0.5, 0.8}, 0.01, 0.04};
+  gyro.acceleration_m_s2 = {0.5, -0.25, 9.75};
+  gyro.acceleration_std_dev_m_s2 = 0.02;
+  const auto message = to_imu(gyro);
+  EXPECT_EQ(message.orientation().x(), 0.1);
+  EXPECT_EQ(message.orientation().y(), -0.3);
+  EXPECT_EQ(message.orientation().z(), 0.5);
+  EXPECT_EQ(message.orientation().w(), 0.8);
+  EXPECT_NEAR(message.orientation_covariance()[0], 1e-4, 1e-12);
+  EXPECT_NEAR(message.orientation_covariance()[8], 1.6e-3, 1e-12);
+  EXPECT_EQ(message.linear_acceleration().y(), -0.25);
+  EXPECT_EQ(message.linear_acceleration().z(), 9.75);
+  EXPECT_NEAR(message.linear_acceleration_covariance()[4], 4e-4, 1e-12);
+}
+
 }  // namespace
 }  // namespace stetro_driver

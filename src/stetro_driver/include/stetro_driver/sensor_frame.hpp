@@ -19,6 +19,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -111,13 +112,34 @@ struct SteeringReading
   bool moving = false;
 };
 
-/// Rates of turn in base_link [rad/s], counter-clockwise positive about +z.
+/// A rotation. Applied to a vector of the turned frame it gives the vector in the frame outside.
+struct Quaternion
+{
+  double x = 0.0;
+  double y = 0.0;
+  double z = 0.0;
+  double w = 1.0;
+};
+
+/// How base_link lies in the world.
+struct AttitudeReading
+{
+  Quaternion base_in_world;       ///< world: x east, y north, z up (REP 103)
+  double tilt_std_dev_rad = 0.0;  ///< of roll and of pitch
+  double yaw_std_dev_rad = 0.0;   ///< of the heading, which magnetism disturbs indoors
+};
+
+/// What an inertial sensor says, in base_link. Rates of turn are counter-clockwise positive.
 struct GyroReading
 {
   Time stamp{0};
   std::array<double, 3> rate_rad_s{0.0, 0.0, 0.0};
   double std_dev_rad_s = 0.0;  ///< white noise of one sample
   bool fault = false;
+  std::optional<AttitudeReading> attitude{};  ///< nothing: a plain gyroscope
+  /// Specific force [m/s^2]: +9.8 about along z at rest. Nothing: not measured.
+  std::optional<std::array<double, 3>> acceleration_m_s2{};
+  double acceleration_std_dev_m_s2 = 0.0;  ///< white noise of one sample
 };
 
 /// What the wheels say: velocity in base_link, and dead reckoning since the start in `odom`.

@@ -262,6 +262,23 @@ sensor_msgs::msg::Imu to_imu(const GyroReading & gyro)
   message.orientation_covariance()[0] = -1.0;  // not measured, as ROS 2 says it
   message.linear_acceleration_covariance()[0] = -1.0;
   message.orientation().w(1.0);
+  if (gyro.attitude) {
+    const Quaternion & q = gyro.attitude->base_in_world;
+    const double tilt = std::pow(gyro.attitude->tilt_std_dev_rad, 2);
+    message.orientation().x(q.x);
+    message.orientation().y(q.y);
+    message.orientation().z(q.z);
+    message.orientation().w(q.w);
+    message.orientation_covariance() = {
+      tilt, 0, 0, 0, tilt, 0, 0, 0, std::pow(gyro.attitude->yaw_std_dev_rad, 2)};
+  }
+  if (gyro.acceleration_m_s2) {
+    const double noise = std::pow(gyro.acceleration_std_dev_m_s2, 2);
+    message.linear_acceleration().x((*gyro.acceleration_m_s2)[0]);
+    message.linear_acceleration().y((*gyro.acceleration_m_s2)[1]);
+    message.linear_acceleration().z((*gyro.acceleration_m_s2)[2]);
+    message.linear_acceleration_covariance() = {noise, 0, 0, 0, noise, 0, 0, 0, noise};
+  }
   message.angular_velocity().x(gyro.rate_rad_s[0]);
   message.angular_velocity().y(gyro.rate_rad_s[1]);
   message.angular_velocity().z(gyro.rate_rad_s[2]);
