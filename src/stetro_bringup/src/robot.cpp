@@ -22,7 +22,7 @@ RobotConfiguration configure_robot(stetro_dds::Launch & launch)
   const auto setup = stetro_driver::read_setup(driver.params, launch.faults());
   auto localizer = launch.configure<stetro_localizer::LocalizerParams>("localizer", "/stetro");
   auto supervisor = launch.configure<stetro_supervisor::SupervisorParams>("supervisor", "/stetro");
-  if (driver.params.hardware == "sim") {  // who simulates the robot makes the time of all three
+  if (driver.params.hardware != "linux") {  // who simulates the robot makes the time of all three
     localizer.options.time = supervisor.options.time = stetro_dds::TimeSource::kClockTopic;
   }
   const auto climb = stetro_supervisor::read_setup(supervisor.params, launch.faults());

@@ -27,6 +27,9 @@ namespace stetro_driver
 namespace
 {
 
+constexpr Time kSummaryPeriod = std::chrono::seconds{1};
+constexpr Time kPeerPatience = std::chrono::seconds{1};  // with whoever commands
+
 timespec to_timespec(Time time)
 {
   const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(time);
@@ -51,8 +54,15 @@ bool same(const std::optional<LoopFault> & a, const std::optional<LoopFault> & b
 
 }  // namespace
 
-ControlLoop::ControlLoop(HardwareInterface & robot, RobotClock clock, Time period)
-: robot_(robot), clock_(std::move(clock)), period_(period)
+ControlLoop::ControlLoop(
+  HardwareInterface & robot, RobotClock clock, Time period,
+  const linux_io::RealtimeConfig & realtime)
+: robot_(robot),
+  clock_(std::move(clock)),
+  period_(period),
+  wishes_(realtime),
+  service_(linux_io::ServiceNotify::from_environment()),
+  statistics_(period)
 {
   if (period <= Time::zero()) {
     throw std::invalid_argument(
@@ -85,6 +95,8 @@ void ControlLoop::stop() noexcept
 void ControlLoop::run() noexcept
 {
   try {
+    granted_.put(linux_io::ask_for_realtime(wishes_));
+    service_.ready();
     work();
   } catch (const std::exception & error) {
     death_ = error.what();
@@ -92,6 +104,7 @@ void ControlLoop::run() noexcept
     death_ = "an exception without words";
   }
   robot_.make_safe();
+  service_.stopping();
   alive_ = false;
   sem_post(&arrived_);
 }
@@ -100,25 +113,42 @@ void ControlLoop::work()
 {
   Time deadline = steady_now();
   while (!stop_) {
+    const Time begun = steady_now();
     // Somebody turns the power on or off just now: nothing is lost by a cycle without us.
     if (std::unique_lock<std::mutex> lock{hardware_, std::try_to_lock}; lock) {
-      cycle();
+      cycle(begun);
     }
     sem_post(&arrived_);
+    account(begun);
     deadline += period_;
     const Time late = steady_now() - deadline;
     if (late >= period_) {
       const auto missed = late / period_;
-      overruns_ += static_cast<std::uint64_t>(missed);
+      missed_ += static_cast<std::uint64_t>(missed);
       deadline += missed * period_;
     }
     sleep_until(deadline);
   }
 }
 
-void ControlLoop::cycle()
+void ControlLoop::account(Time begun)
 {
-  ++cycles_;
+  statistics_.begin(begun);
+  statistics_.end(steady_now());
+  if (begun - summed_ >= kSummaryPeriod) {
+    summed_ = begun;
+    summary_.put(statistics_.summary());
+  }
+}
+
+void ControlLoop::command(const TimedCommand & command)
+{
+  commanded_ = steady_now();
+  command_.put(command);
+}
+
+void ControlLoop::cycle(Time now)
+{
   std::optional<IoFault> fault;
   auto read = robot_.read(clock_());
   if (read) {
@@ -131,10 +161,13 @@ void ControlLoop::cycle()
   }
   const auto asked = command_.latest();
   if (asked && asked->powered) {
-    const bool expired = steady_now() >= asked->until;
+    const bool expired = now >= asked->until;
     if (auto refused = robot_.write(expired ? JointCommand{} : asked->command)) {
       fault = std::move(refused);
     }
+  }
+  if (now - commanded_.load() < kPeerPatience) {
+    service_.alive(now);
   }
   if (fault) {
     tell(LoopFault{std::move(*fault), asked ? asked->number : 0});

@@ -27,8 +27,11 @@
 
 #include "frame_queue.hpp"
 #include "latest_value.hpp"
+#include "linux/loop_statistics.hpp"
+#include "linux/service_notify.hpp"
 #include "stetro_driver/hardware_interface.hpp"
 #include "stetro_driver/joint_command.hpp"
+#include "stetro_driver/realtime.hpp"
 #include "stetro_driver/time.hpp"
 
 namespace stetro_driver
@@ -59,6 +62,9 @@ struct LoopFault
  *
  * A late cycle is counted and run at once; whole periods that were missed are counted and left
  * out. Whenever the loop ends, also by an exception, the hardware has been made safe.
+ *
+ * Started by systemd, it says when it is ready, and feeds the watchdog while it runs and whoever
+ * commands it shows itself.
  */
 class ControlLoop
 {
@@ -67,7 +73,10 @@ public:
   using RobotClock = std::function<Time()>;
 
   /// \param robot configured, and not to be touched but by alone() while the loop runs
-  ControlLoop(HardwareInterface & robot, RobotClock clock, Time period);
+  /// \throws std::invalid_argument unless the period is above zero
+  ControlLoop(
+    HardwareInterface & robot, RobotClock clock, Time period,
+    const linux_io::RealtimeConfig & realtime = {});
   ~ControlLoop();
   ControlLoop(const ControlLoop &) = delete;
   ControlLoop & operator=(const ControlLoop &) = delete;
@@ -76,8 +85,8 @@ public:
   /// Ends the thread. The hardware is safe afterwards.
   void stop() noexcept;
 
-  /// What the motors shall do from the next cycle on.
-  void command(const TimedCommand & command) { command_.put(command); }
+  /// What the motors shall do from the next cycle on; also a sign that its caller lives.
+  void command(const TimedCommand & command);
 
   /// Waits until a frame may be there. \return false: patience has ended
   bool wait(Time patience);
@@ -95,31 +104,43 @@ public:
   /// Why the thread ended before it was told to; empty otherwise. Only when it is not alive.
   [[nodiscard]] const std::string & death() const { return death_; }
 
-  [[nodiscard]] std::uint64_t cycles() const { return cycles_; }
-  [[nodiscard]] std::uint64_t overruns() const { return overruns_; }  ///< periods left out
+  /// How well it keeps its time, a second ago at most; zeroes before its first second.
+  [[nodiscard]] linux_io::LoopSummary summary() { return summary_.latest().value_or(kNoSummary); }
+  [[nodiscard]] std::uint64_t missed() const { return missed_; }  ///< periods that were left out
+  /// What the kernel granted; nothing until the loop has asked.
+  [[nodiscard]] std::optional<linux_io::RealtimeReport> realtime() { return granted_.latest(); }
   [[nodiscard]] std::uint64_t dropped_frames() const { return frames_.dropped(); }
 
 private:
+  static constexpr linux_io::LoopSummary kNoSummary{};
+
   void run() noexcept;
   void work();
-  void cycle();
+  void cycle(Time now);
+  void account(Time begun);
   void tell(std::optional<LoopFault> fault);
 
   HardwareInterface & robot_;
   const RobotClock clock_;
   const Time period_;
+  const linux_io::RealtimeConfig wishes_;
+  linux_io::ServiceNotify service_;      // the loop's
+  linux_io::LoopStatistics statistics_;  // the loop's
+  LatestValue<linux_io::LoopSummary> summary_;
+  LatestValue<linux_io::RealtimeReport> granted_;
   std::thread thread_;
   std::mutex hardware_;  // held through a cycle, and through alone()
   LatestValue<TimedCommand> command_;
   FrameQueue frames_;
   LatestValue<std::optional<LoopFault>> faults_;
+  Time summed_{0};                 // the loop's: when it summed up last
   std::optional<LoopFault> told_;  // the loop's: what it put last
   sem_t arrived_{};
   std::string death_;
   std::atomic<bool> stop_{false};
   std::atomic<bool> alive_{false};
-  std::atomic<std::uint64_t> cycles_{0};
-  std::atomic<std::uint64_t> overruns_{0};
+  std::atomic<Time> commanded_{Time::zero()};  // steady time of the last command()
+  std::atomic<std::uint64_t> missed_{0};
 };
 
 }  // namespace stetro_driver

@@ -24,6 +24,7 @@
 #include <variant>
 #include <vector>
 
+#include "linux/devices_file.hpp"
 #include "stetro_driver/sim_faults.hpp"
 #include "stetro_driver/sim_robot.hpp"
 #include "stetro_driver/site_shape.hpp"
@@ -119,6 +120,12 @@ SimOptions sim_options(const DriverSetup & setup)
 
 void check(const DriverSetup & setup, stetro_config::Faults & faults)
 {
+  if (setup.params.hardware != "sim") {
+    static_cast<void>(linux_io::read_devices(setup.robot, faults));
+  }
+  if (setup.params.hardware == "linux") {
+    return;  // nothing is simulated
+  }
   check_start(setup, faults);
   check_floors_of_faults(setup, faults);
   check_snapshot_file(setup.params.sim.snapshot_file, faults);

@@ -38,6 +38,16 @@ void check(const DriverParams & params, stetro_config::Faults & faults)
       "sim.errors.slip_min_m", std::to_string(params.sim.errors.slip_min_m),
       "at most sim.errors.slip_max_m");
   }
+  if (params.hardware == "emulated") {
+    if (params.sim.speed < 1.0) {
+      faults.refuse(
+        "sim.speed", std::to_string(params.sim.speed), "1 or more: devices are emulated");
+    }
+    if (!params.sim.snapshot_file.empty()) {
+      faults.refuse(
+        "sim.snapshot_file", params.sim.snapshot_file, "empty: emulated devices cannot be resumed");
+    }
+  }
   try {
     static_cast<void>(parse_sim_faults(params.sim.faults));
   } catch (const std::invalid_argument & error) {

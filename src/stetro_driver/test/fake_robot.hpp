@@ -29,7 +29,7 @@ class FakeRobot : public HardwareInterface
 {
 public:
   void configure() override {}
-  void activate() override {}
+  void activate() override { ++activations; }
   void deactivate() override {}
   void reset_emergency_stop() override {}
   Result<SensorFrame> read(Time now) override
@@ -56,6 +56,7 @@ public:
   std::atomic<int> writes{0};
   std::atomic<double> vx_m_s{0.0};
   std::atomic<int> safes{0};
+  std::atomic<int> activations{0};
 };
 
 }  // namespace stetro_driver::test

@@ -17,6 +17,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <functional>
 #include <memory>
@@ -24,6 +25,8 @@
 #include <thread>
 #include <utility>
 
+#include "emulator/emulated_robot.hpp"
+#include "linux/devices_file.hpp"
 #include "pilot.hpp"
 #include "stetro_driver/driver_hardware.hpp"
 #include "stetro_driver/sim_robot.hpp"
@@ -131,6 +134,39 @@ inline DriverHardware make_sim_robot(const SimOptions & options)
   auto robot = std::make_unique<SimRobot>(paper_stairs(), BodyShape{}, options);
   SimRobot & simulated = *robot;
   return {std::move(robot), &simulated, &simulated};
+}
+
+/// The devices that the shipped robot file lists.
+inline linux_io::Devices shipped_devices()
+{
+  stetro_config::Faults faults;
+  auto devices = linux_io::read_devices(stetro_site::load_robot(ROBOTS "stetro.yaml"), faults);
+  faults.throw_if_any();
+  return std::move(devices).value();
+}
+
+/// Patience with emulated servos and sensors: of a computer that tests share, not of a robot.
+inline linux_io::Devices patient(linux_io::Devices devices)
+{
+  devices.chassis.bus.reply_timeout_s = 0.1;
+  devices.imu.silent_periods = 10;
+  return devices;
+}
+
+inline std::unique_ptr<emulator::EmulatedRobot> emulated_robot(
+  SimOptions options, const linux_io::Devices & devices)
+{
+  // Without a trace of noise a sensor is rightly taken for stuck.
+  options.errors.tof_white_std_m = std::max(options.errors.tof_white_std_m, 0.0015);
+  return std::make_unique<emulator::EmulatedRobot>(
+    building_of(paper_stairs()), BodyShape{}, options, devices, linux_io::TofLimits{}, 1.0);
+}
+
+inline DriverHardware make_emulated_robot(const SimOptions & options)
+{
+  auto robot = emulated_robot(options, patient(shipped_devices()));
+  SimulatedWorld & world = *robot;
+  return {std::move(robot), &world, nullptr};
 }
 
 }  // namespace stetro_driver::test

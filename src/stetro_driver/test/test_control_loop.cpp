@@ -136,7 +136,7 @@ TEST_F(ControlLoopTest, CountsThePeriodsItMissedAndDoesNotCatchUp)
   };
   loop_.start();
   ASSERT_TRUE(until([&] { return robot_.reads > 10; }));
-  EXPECT_GE(loop_.overruns(), 23u) << "50 ms are 25 periods";
+  EXPECT_GE(loop_.missed(), 23u) << "50 ms are 25 periods";
 }
 
 TEST_F(ControlLoopTest, LetsOthersAtTheHardwareBetweenCycles)

@@ -36,6 +36,17 @@ stetro_config::Faults faults_of(const DriverParams & params)
 
 TEST(DriverSetup, FitsByDefault) { EXPECT_TRUE(faults_of({}).empty()); }
 
+TEST(DriverSetup, NeedsTheDevicesOfARobotThatHasSome)
+{
+  DriverParams params;
+  params.hardware = "linux";
+  const auto faults = faults_of(params);
+  ASSERT_EQ(faults.size(), 1u);
+  EXPECT_EQ(faults[0].name, "devices");
+  params.sim.start = {-0.5, 5.0, 0.0};
+  EXPECT_EQ(faults_of(params).size(), 1u) << "where a simulation would start is nothing to it";
+}
+
 TEST(DriverSetup, RefusesAStartInsideAWall)
 {
   DriverParams params;

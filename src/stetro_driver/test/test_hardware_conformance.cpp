@@ -12,13 +12,16 @@
 // See the License for the specific language governing permissions and
 // limitations under the License.
 
-// What every hardware promises, in the order of hardware_interface.hpp. Faults come from the world's
-// list, so that the simulated robot and one behind emulated devices suffer the same.
+// What every hardware promises, in the order of hardware_interface.hpp. Faults come from the
+// world's list, so that the simulated robot and one behind emulated devices suffer the same. They
+// strike four seconds after the world began: devices need some of that to be opened.
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
+#include <ostream>
+#include <string>
 
 #include "hardware_bench.hpp"
 
@@ -31,13 +34,14 @@ using test::HardwareBench;
 using test::kHalfPi;
 using test::Pilot;
 
-constexpr double kSpeedError = 0.15;  // of a motor that is not told its load, as a share
-
 struct Candidate
 {
   const char * name;
   test::MakeHardware make;
+  double slack;  ///< share of a way that starting, stopping and a busy computer may take
 };
+
+void PrintTo(const Candidate & candidate, std::ostream * out) { *out << candidate.name; }
 
 std::string name_of(const ::testing::TestParamInfo<Candidate> & info) { return info.param.name; }
 
@@ -50,6 +54,9 @@ protected:
     bench_.emplace(GetParam().make(options));
     return *bench_;
   }
+
+  /// What a way may differ by.
+  static double error(double way) { return 1e-9 + way * GetParam().slack; }
 
   static SimOptions with(const std::string & faults)
   {
@@ -108,7 +115,7 @@ TEST_P(HardwareConformance, CompletesACycleOfRangesAboutThirtyTimesASecond)
     cycles += frame.ranges_complete ? 1 : 0;
     return false;
   });
-  EXPECT_GE(cycles, 44);
+  EXPECT_GE(cycles, 30);
   EXPECT_LE(cycles, 62);
 }
 
@@ -121,10 +128,10 @@ TEST_P(HardwareConformance, MeasuresInMetres)
   b.rest(0.3);
   const SensorFrame frame = b.read();
   // 2.05 - 0.925 - 0.05 and 0.925 - 0.05, longer by the cone, shorter by the riser beside.
-  EXPECT_NEAR(frame.range(RangePlace::kSideLeft).range_m, 1.075, 0.025);
-  EXPECT_NEAR(frame.range(RangePlace::kSideRight).range_m, 0.875, 0.025);
-  EXPECT_NEAR(frame.range(RangePlace::kFrontLeft).range_m, 0.2175, 0.005);
-  EXPECT_NEAR(frame.range(RangePlace::kBlock2Down).range_m, 0.035, 0.003);
+  EXPECT_NEAR(frame.range(RangePlace::kSideLeft).range_m, 1.075, 0.03);
+  EXPECT_NEAR(frame.range(RangePlace::kSideRight).range_m, 0.875, 0.03);
+  EXPECT_NEAR(frame.range(RangePlace::kFrontLeft).range_m, 0.2175, 0.008);
+  EXPECT_NEAR(frame.range(RangePlace::kBlock2Down).range_m, 0.035, 0.007);
   EXPECT_EQ(frame.range(RangePlace::kFrontLeft).status, RangeStatus::kValid);
   EXPECT_NEAR(frame.block(1).height_m, 0.14, 0.003);
   EXPECT_NEAR(frame.block(2).height_m, 0.0, 0.003);
@@ -143,7 +150,7 @@ TEST_P(HardwareConformance, RollsForwardAlongX)
   b.switch_on();
   b.during(Pilot::twist(0.10, 0.0, 0.0), 1.0);
   const double rolled_m = b.truth().x_m + 0.5;
-  EXPECT_NEAR(rolled_m, 0.10, 0.10 * kSpeedError);
+  EXPECT_NEAR(rolled_m, 0.10, error(0.10));
   EXPECT_NEAR(b.truth().y_m, 1.025, 1e-3);
   b.during({}, 0.2);
   const OdometryReading odometry = b.read().odometry;
@@ -157,7 +164,7 @@ TEST_P(HardwareConformance, RollsLeftAlongYAndTurnsCounterClockwise)
   b.switch_on();
   ASSERT_TRUE(b.steer(kHalfPi));
   b.during(Pilot::twist(0.0, 0.10, 0.0), 1.0);
-  EXPECT_NEAR(b.truth().y_m, 1.125, 0.10 * kSpeedError);
+  EXPECT_NEAR(b.truth().y_m, 1.125, error(0.10));
   EXPECT_NEAR(b.truth().x_m, -0.5, 1e-3);
   double fastest_rad_s = 0.0;
   b.until(Pilot::twist(0.0, 0.0, 0.2), 1.0, [&](const SensorFrame & frame) {
@@ -165,11 +172,11 @@ TEST_P(HardwareConformance, RollsLeftAlongYAndTurnsCounterClockwise)
     return false;
   });
   b.during({}, 0.2);
-  EXPECT_NEAR(b.truth().yaw_rad, 0.2, 0.2 * kSpeedError);
-  EXPECT_NEAR(fastest_rad_s, 0.2, 0.2 * kSpeedError);
+  EXPECT_NEAR(b.truth().yaw_rad, 0.2, error(0.2));
+  EXPECT_NEAR(fastest_rad_s, 0.2, error(0.2));
   const OdometryReading odometry = b.read().odometry;
   EXPECT_NEAR(odometry.yaw_rad, b.truth().yaw_rad, 0.02);
-  EXPECT_GT(odometry.y_m, 0.08);
+  EXPECT_GT(odometry.y_m, 0.06);
 }
 
 TEST_P(HardwareConformance, RefusesToRollAcrossItsWheels)
@@ -279,9 +286,9 @@ TEST_P(HardwareConformance, FeelsAWallOnTheSideItIsOn)
 
 TEST_P(HardwareConformance, AnEmergencyStopLatches)
 {
-  HardwareBench & b = bench(with("estop@1-2"));
+  HardwareBench & b = bench(with("estop@4-5.5"));
   b.switch_on();
-  ASSERT_TRUE(b.until(Pilot::twist(0.05, 0.0, 0.0), 3.0, [](const SensorFrame & frame) {
+  ASSERT_TRUE(b.until(Pilot::twist(0.02, 0.0, 0.0), 5.0, [](const SensorFrame & frame) {
     return frame.emergency_stop_latched;
   }));
   EXPECT_TRUE(b.read().contact(ContactPlace::kEmergencyStop).closed);
@@ -306,14 +313,14 @@ TEST_P(HardwareConformance, AnEmergencyStopLatches)
 
 TEST_P(HardwareConformance, NamesARangeSensorThatDoesNotAnswer)
 {
-  HardwareBench & b = bench(with("dead:front_left@1-2"));
+  HardwareBench & b = bench(with("dead:front_left@4-5"));
   b.switch_on();
   b.rest(0.5);
   EXPECT_EQ(b.read().range(RangePlace::kFrontLeft).status, RangeStatus::kValid);
-  ASSERT_TRUE(b.wait(1.0, [](const SensorFrame & frame) {
+  ASSERT_TRUE(b.wait(5.0, [](const SensorFrame & frame) {
     return frame.range(RangePlace::kFrontLeft).status == RangeStatus::kFault;
   }));
-  EXPECT_LT(b.now(), test::perfect().origin + std::chrono::milliseconds{1250});
+  EXPECT_LT(b.now(), test::perfect().origin + std::chrono::milliseconds{4250});
   EXPECT_EQ(b.read().range(RangePlace::kFrontRight).status, RangeStatus::kValid);
   EXPECT_TRUE(b.wait(
     4.0,
@@ -325,17 +332,20 @@ TEST_P(HardwareConformance, NamesARangeSensorThatDoesNotAnswer)
 
 TEST_P(HardwareConformance, NamesAGyroscopeThatDoesNotAnswer)
 {
-  HardwareBench & b = bench(with("dead:gyro@1-2"));
+  HardwareBench & b = bench(with("dead:gyro@4-5"));
   b.switch_on();
   b.rest(0.5);
   EXPECT_FALSE(b.read().gyro.fault);
-  ASSERT_TRUE(b.wait(1.0, [](const SensorFrame & frame) { return frame.gyro.fault; }));
-  EXPECT_LT(b.now(), test::perfect().origin + std::chrono::milliseconds{1250});
+  ASSERT_TRUE(b.wait(5.0, [](const SensorFrame & frame) { return frame.gyro.fault; }));
+  EXPECT_LT(b.now(), test::perfect().origin + std::chrono::milliseconds{4250});
   EXPECT_TRUE(b.wait(4.0, [](const SensorFrame & frame) { return !frame.gyro.fault; }));
 }
 
 INSTANTIATE_TEST_SUITE_P(
-  Robots, HardwareConformance, ::testing::Values(Candidate{"simulated", test::make_sim_robot}),
+  Robots, HardwareConformance,
+  ::testing::Values(
+    Candidate{"simulated", test::make_sim_robot, 0.0},
+    Candidate{"emulated", test::make_emulated_robot, 0.3}),
   name_of);
 
 }  // namespace

@@ -57,6 +57,16 @@ TEST(DriverParams, RefusesFaultsThatAreNone)
   EXPECT_NE(faults[0].accepted.find("kidnap"), std::string::npos) << "the list is given";
 }
 
+TEST(DriverParams, EmulatedDevicesRunNoSlowerThanRealOnesAndAreNotResumed)
+{
+  const auto faults = faults_in(
+    "{site_file: s, robot_file: r, hardware: emulated, sim: {speed: 0.5, snapshot_file: w}}");
+  ASSERT_EQ(faults.size(), 2u);
+  EXPECT_EQ(faults[0].name, "sim.speed");
+  EXPECT_EQ(faults[1].name, "sim.snapshot_file");
+  EXPECT_TRUE(faults_in("{site_file: s, robot_file: r, hardware: emulated}").empty());
+}
+
 TEST(DriverParams, ReachTheSimulation)
 {
   DriverParams params;

@@ -109,18 +109,23 @@ void add_options(CLI::App & app, DemoOptions & options)
     ->capture_default_str();
   app
     .add_option(
+      "--hardware", options.hardware,
+      "the simulated robot, or the real one's driver on emulated devices in the simulated world")
+    ->check(CLI::IsMember({"sim", "emulated"}))
+    ->capture_default_str();
+  app
+    .add_option(
       "--seeds", options.seeds,
       "runs, one after the other with a seed more each; results in <out>/seed_<seed>, and their "
-      "sum "
-      "in <out>/series.json")
+      "sum in <out>/series.json")
     ->check(CLI::Range(1, 10000))
     ->capture_default_str();
   app
     .add_option(
       "--speed", options.speed,
-      "simulated seconds a second at most; the robot's processes set the pace")
+      "simulated seconds a second; at most so many where the robot's processes set the pace")
     ->check(CLI::Range(0.1, 1000.0))
-    ->capture_default_str();
+    ->default_str("20, emulated 1");
   app.add_option("--estimator", options.estimator, "how the localizer estimates")
     ->check(CLI::IsMember({"fused", "paper"}))
     ->capture_default_str();
@@ -155,7 +160,22 @@ void add_options(CLI::App & app, DemoOptions & options)
   app.add_flag("--no-plots", options.no_plots, "draw nothing");
   app.add_option("--time-limit", options.time_limit_s, "wall time to give up after [s]")
     ->check(CLI::PositiveNumber)
-    ->capture_default_str();
+    ->default_str("600, emulated 3600");
+}
+
+void settle(DemoOptions & options)
+{
+  if (options.emulated() && options.in_process) {
+    throw std::runtime_error(
+      "--in-process repeats a run tick by tick, accepted: --hardware sim; emulated devices keep "
+      "time");
+  }
+  if (options.speed == 0.0) {
+    options.speed = options.emulated() ? 1.0 : 20.0;
+  }
+  if (options.time_limit_s == 0.0) {
+    options.time_limit_s = options.emulated() ? 3600.0 : 600.0;
+  }
 }
 
 std::string fault_list(const DemoOptions & options)
@@ -171,7 +191,8 @@ NodeSettings driver_settings(const DemoOptions & options, const Task & task)
 {
   NodeSettings settings = common(options, task);
   settings.insert(
-    settings.end(), {{"sim.seed", std::to_string(options.seed)},
+    settings.end(), {{"hardware", quoted(options.hardware)},
+                     {"sim.seed", std::to_string(options.seed)},
                      {"sim.world", quoted(options.world)},
                      {"sim.errors.calibration", quoted(options.calibration)},
                      {"sim.faults", quoted(fault_list(options))},

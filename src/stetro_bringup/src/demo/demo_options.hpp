@@ -34,7 +34,8 @@ struct DemoOptions
   std::string out = "out/demo";  ///< folder of the results
   std::uint64_t seed = 1;        ///< of the world, the sensors and the disturbances
   std::int64_t seeds = 1;        ///< runs one after the other, each with the next seed
-  double speed = 20.0;           ///< simulated seconds a second at most
+  std::string hardware = "sim";  ///< or `emulated`: the real robot's driver on emulated devices
+  double speed = 0.0;            ///< simulated seconds a second at most; zero: 20, emulated 1
   std::string estimator = "fused";
   std::string site = "papers_staircase";  ///< what the software believes: a file, or one shipped
   std::string robot;                      ///< empty: the papers' robot
@@ -46,8 +47,13 @@ struct DemoOptions
   bool in_process = false;              ///< one process on simulated time: a repeatable run
   bool no_ground_truth = false;         ///< the simulator keeps the truth to itself
   bool no_plots = false;
-  double time_limit_s = 600.0;  ///< wall time after which the climb is given up
+  double time_limit_s = 0.0;  ///< wall time to give up after; zero: 600 s, emulated an hour
+
+  [[nodiscard]] bool emulated() const { return hardware == "emulated"; }
 };
+
+/// Fills in what depends on the hardware. \throws std::runtime_error for what cannot go together
+void settle(DemoOptions & options);
 
 /// Declares the options on the command line, read into `options`, which must outlive it.
 void add_options(CLI::App & app, DemoOptions & options);

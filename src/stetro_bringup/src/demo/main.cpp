@@ -204,6 +204,7 @@ int run_series(
 
 int demonstrate(DemoOptions options, const stetro_dds::Launch & launch)
 {
+  settle(options);
   options.site = site_file(options.site);
   if (options.robot.empty()) {
     options.robot = shipped_file("robot/stetro.yaml");

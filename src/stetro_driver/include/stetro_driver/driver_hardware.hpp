@@ -33,6 +33,7 @@ struct DriverHardware
 };
 
 /// The robot that the parameter `hardware` names, not yet configured.
+/** \throws stetro_config::ConfigError when the robot file does not list its devices */
 [[nodiscard]] DriverHardware make_hardware(const DriverSetup & setup);
 
 }  // namespace stetro_driver

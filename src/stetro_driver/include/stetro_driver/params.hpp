@@ -24,6 +24,7 @@
 #include "stetro_config/rule.hpp"
 #include "stetro_driver/command_gate.hpp"
 #include "stetro_driver/pacer.hpp"
+#include "stetro_driver/realtime.hpp"
 #include "stetro_driver/sim_errors.hpp"
 #include "stetro_driver/sim_robot.hpp"
 
@@ -57,6 +58,13 @@ struct SimParams
   SimErrors errors;
 };
 
+/// The control loop of a robot whose time passes by itself.
+struct LoopParams
+{
+  double rate_hz = 100.0;
+  linux_io::RealtimeConfig realtime;
+};
+
 /// Everything the driver lets a person set. Defaults climb the papers' staircase.
 struct DriverParams
 {
@@ -66,7 +74,7 @@ struct DriverParams
   std::string flight;
   bool start_active = true;
   bool range_topics = false;
-  double loop_rate_hz = 100.0;
+  LoopParams loop;
   CommandParams command;
   SimParams sim;
 };
@@ -98,7 +106,8 @@ void visit(SimParams & p, Visitor && each)
   each(
     "start", p.start, stetro_config::Each{Within{-10.0, 100.0}, 0, 3},
     "x, y [m], yaw [rad] in the flight's frame; empty: drawn, 0.5 m before the stairs");
-  each("speed", p.speed, Within{0.1, 1000.0}, "simulated seconds in a second");
+  each(
+    "speed", p.speed, Within{0.1, 1000.0}, "simulated seconds in a second, emulated devices too");
   each("throttle", p.throttle, Any{}, "wait for localizer and supervisor when they fall behind");
   each("ground_truth", p.ground_truth, Any{}, "publish what is really so");
   each(
@@ -111,13 +120,24 @@ void visit(SimParams & p, Visitor && each)
   visit(p.errors, Group{"errors", each});
 }
 
+template <class Visitor>
+void visit(LoopParams & p, Visitor && each)
+{
+  each(
+    "rate_hz", p.rate_hz, stetro_config::Within{20.0, 500.0},
+    "cycles a second of the loop around real or emulated devices");
+  visit(p.realtime, each);
+}
+
 /// The one list: it loads, bounds, prints and documents the parameters.
 template <class Visitor>
 void visit(DriverParams & p, Visitor && each)
 {
   using stetro_config::Any;
   using stetro_config::Group;
-  each("hardware", p.hardware, stetro_config::OneOf{"sim"}, "the robot behind the interface");
+  each(
+    "hardware", p.hardware, stetro_config::OneOf{"sim", "linux", "emulated"},
+    "simulated; the real one's devices; or these, emulated in the simulated world");
   each("site_file", p.site_file, Any{}, "the building, must be given");
   each("robot_file", p.robot_file, Any{}, "the robot, must be given");
   each(
@@ -126,9 +146,7 @@ void visit(DriverParams & p, Visitor && each)
   each(
     "start_active", p.start_active, Any{}, "power the motors at the start, standing and holding");
   each("range_topics", p.range_topics, Any{}, "publish range/<sensor> too, for RViz");
-  each(
-    "loop_rate_hz", p.loop_rate_hz, stetro_config::Within{20.0, 500.0},
-    "cycles of the control loop a second; a simulation has its own");
+  visit(p.loop, Group{"loop", each});
   visit(p.command, Group{"command", each});
   visit(p.sim, Group{"sim", each});
 }

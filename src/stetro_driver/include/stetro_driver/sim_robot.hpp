@@ -52,6 +52,7 @@ struct SimOptions
   bool lidar = false;               ///< somebody wants its scans
   int people = 0;                   ///< walking on each floor with walls, seen by the lidar only
   int unmapped_boxes = 0;           ///< on each floor with walls, seen by the lidar only
+  bool ranges_at_once = false;      ///< measured each tick, without latency: devices have their own
   std::string snapshot_path{};      ///< empty: no snapshot
   Time origin = std::chrono::seconds{1000};  ///< simulated time starts here, well above zero
 };

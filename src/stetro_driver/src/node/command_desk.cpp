@@ -27,7 +27,7 @@ namespace
 namespace status = stetro_msgs::msg::CommandStatus_Constants;
 
 constexpr std::size_t kLongestDetail = 128;
-constexpr double kAngleReached = 1e-6;  // [rad]
+constexpr double kAngleReached = 0.03;  // what the gate takes for a direction [rad]
 
 std::uint64_t drawn_instance()
 {
@@ -43,7 +43,8 @@ bool reached(const JointCommand & motion, const SensorFrame & frame)
     case MotionKind::kLower:
       return frame.block(motion.block).at_lower_lock;
     case MotionKind::kSteer:
-      return std::abs(frame.steering.angle_rad - motion.steering_rad) < kAngleReached;
+      return !frame.steering.moving &&
+             std::abs(frame.steering.angle_rad - motion.steering_rad) < kAngleReached;
     default:
       return false;
   }

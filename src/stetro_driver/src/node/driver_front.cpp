@@ -88,6 +88,14 @@ void DriverFront::note(const std::optional<IoFault> & fault)
   last_fault_ = fault ? fault->detail : "";
 }
 
+void DriverFront::rearm()
+{
+  if (active()) {
+    node_.lifecycle().request(LifecycleTransition::kDeactivate);
+    activate_if_told();
+  }
+}
+
 void DriverFront::shut_down() { node_.lifecycle().request(LifecycleTransition::kShutdown); }
 
 std::optional<stetro_dds::Refusal> DriverFront::take(const CommandRequest & request)
@@ -187,6 +195,16 @@ void DriverFront::report()
     for (std::size_t i = 0; i < kRangePlaces; ++i) {
       if (frame_.ranges[i].status == RangeStatus::kFault && frame_.time > Time::zero()) {
         report.summarise(Health::kWarn, std::string(kRangeNames[i]) + " does not answer");
+      }
+    }
+  });
+  node_.diagnostics().add("devices", [this](DiagnosticReport & report) {
+    for (const DeviceStatus & device : robot_.devices()) {
+      if (device.fault) {
+        report.summarise(Health::kError, device.fault->detail);
+      }
+      for (const auto & [name, value] : device.figures) {
+        report.value(device.name + ": " + name, value);
       }
     }
   });

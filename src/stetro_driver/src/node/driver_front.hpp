@@ -20,6 +20,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "node/command_desk.hpp"
 #include "node/driver_topics.hpp"
@@ -35,6 +36,7 @@ struct RobotAccess
   /// Runs an action on the hardware while nobody else does.
   std::function<void(const std::function<void(HardwareInterface &)> &)> alone;
   std::function<void(bool)> power;  ///< told before the motors lose power, and after they got it
+  std::function<std::vector<DeviceStatus>()> devices;
 };
 
 /// The side of the driver that faces the wire: topics, commands, lifecycle, diagnostics.
@@ -65,6 +67,9 @@ public:
 
   /// What stands between us and the hardware; nothing: all is well.
   void note(const std::optional<IoFault> & fault);
+
+  /// Takes the power from motors that were made safe, and gives it again if told to at the start.
+  void rearm();
 
   /// Takes the power from the motors, for good.
   void shut_down();

@@ -72,8 +72,12 @@ void DriverTopics::publish(const SensorFrame & frame)
   if (clock_ != nullptr) {
     clock_->publish(to_clock(frame.time));
   }
-  odometry_.publish(to_odometry(frame.odometry));
-  if (!frame.gyro.fault && frame.gyro.stamp > Time::zero()) {
+  if (frame.odometry.stamp > odometry_sent_) {
+    odometry_sent_ = frame.odometry.stamp;
+    odometry_.publish(to_odometry(frame.odometry));
+  }
+  if (!frame.gyro.fault && frame.gyro.stamp > gyro_sent_) {
+    gyro_sent_ = frame.gyro.stamp;
     imu_.publish(to_imu(frame.gyro));
   }
   if (contacts_due(frame)) {

@@ -31,7 +31,7 @@ enum class World { kReal, kSimulated };
 
 /// What a driver tells: one publisher a topic, each at its rate.
 /**
- *   imu/data, odom                         each tick, 100 Hz
+ *   imu/data, odom                         when measured anew: each tick of a simulation, 100 Hz
  *   /clock, ground_truth                   the same, of a simulation
  *   ranges, blocks, /tf                    with each cycle of the range sensors, 30 Hz
  *   contacts                               on change, and each 100 ms
@@ -68,6 +68,8 @@ private:
   std::vector<stetro_dds::Publisher<sensor_msgs::msg::Range> *> range_topics_;  // none, or all
   std::array<ContactReading, kContactPlaces> last_contacts_{};
   Time contacts_sent_{0};
+  Time odometry_sent_{0};  // stamps: what is told twice is refused as out of order
+  Time gyro_sent_{0};
 };
 
 }  // namespace stetro_driver

@@ -60,7 +60,7 @@ RobotAccess SteppedRun::access()
   return {
     [this] { return clocks(); },
     [this](const std::function<void(HardwareInterface &)> & action) { action(robot_); },
-    [](bool) {}};
+    [](bool) {}, [this] { return robot_.devices(); }};
 }
 
 /// In a run by hand no clock is read: steady time is then simulated time, too.

@@ -41,7 +41,7 @@ TimedRun::TimedRun(
   speed_(world_ != nullptr ? setup.params.sim.speed : 1.0),
   loop_(
     robot_, [this] { return now(); },
-    shorter(seconds_to_time(1.0 / setup.params.loop_rate_hz), speed_)),
+    shorter(seconds_to_time(1.0 / setup.params.loop.rate_hz), speed_), setup.params.loop.realtime),
   front_(
     context, std::move(options), setup, world_ != nullptr ? World::kSimulated : World::kReal,
     access())
@@ -67,7 +67,8 @@ RobotAccess TimedRun::access()
     [this](bool on) {
       powered_ = on;
       loop_.command(TimedCommand{on, {}, Time::zero(), accepted_});
-    }};
+    },
+    [this] { return robot_.devices(); }};
 }
 
 void TimedRun::start()
@@ -84,8 +85,10 @@ void TimedRun::run(stetro_dds::Executor & executor, const std::function<bool()> 
 {
   heard_ = Clock::steady_now();
   loop_.start();
+  bool told_realtime = false;
   while (!stop()) {
     loop_.wait(kLongestNap);
+    told_realtime = told_realtime || tell_realtime();
     note_fault();
     tell_frames();
     executor.spin_some(Time::zero());
@@ -96,12 +99,25 @@ void TimedRun::run(stetro_dds::Executor & executor, const std::function<bool()> 
   front_.shut_down();
 }
 
+/// \return whether there was anything to tell yet
+bool TimedRun::tell_realtime()
+{
+  const auto granted = loop_.realtime();
+  if (granted && granted->refused()) {
+    node().log().warn("real time: {}", granted->words);
+  }
+  return granted.has_value();
+}
+
 void TimedRun::tell_frames()
 {
   SensorFrame frame;
   while (loop_.take(frame)) {
     heard_ = Clock::steady_now();
-    silent_ = false;
+    if (silent_) {
+      silent_ = false;
+      front_.rearm();  // it stands and holds; the next command moves it
+    }
     if (world_ != nullptr) {
       node().clock().set(frame.time);
     }
@@ -154,8 +170,15 @@ void TimedRun::report()
     if (silent_) {
       report.summarise(stetro_dds::Health::kError, "silent");
     }
-    report.value("cycles", loop_.cycles());
-    report.value("overruns", loop_.overruns());
+    const linux_io::LoopSummary summary = loop_.summary();
+    report.value("cycles", summary.cycles);
+    report.value("overruns", summary.overruns);
+    report.value("periods_missed", loop_.missed());
+    report.value("period_error_p50_s", time_to_seconds(summary.period_error_p50));
+    report.value("period_error_p999_s", time_to_seconds(summary.period_error_p999));
+    report.value("period_error_max_s", time_to_seconds(summary.period_error_max));
+    report.value("mean_work_s", time_to_seconds(summary.mean_work));
+    report.value("longest_work_s", time_to_seconds(summary.longest_work));
     report.value("dropped_frames", loop_.dropped_frames());
   });
 }

@@ -50,6 +50,7 @@ public:
 private:
   [[nodiscard]] RobotAccess access();
   [[nodiscard]] Time now();
+  [[nodiscard]] bool tell_realtime();
   void tell_frames();
   void pass_command();
   void note_fault();

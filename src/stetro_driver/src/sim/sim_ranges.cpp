@@ -24,19 +24,25 @@ namespace
 {
 
 constexpr double kCycle = 1.0 / 30.0;  // [s]
+constexpr double kTick = 0.01;         // [s]
+constexpr std::uint64_t kLatencyTicks = 2;
 constexpr Time kLatency = std::chrono::milliseconds{20};
-
-/// 30 Hz out of 100 Hz: every third or fourth tick.
-bool cycle_ends(std::uint64_t tick) { return tick * 3 / 10 != (tick - 1) * 3 / 10; }
 
 }  // namespace
 
-SimRanges::SimRanges(const BodyShape & shape, const SimErrors & errors, std::uint64_t seed)
-: minimum_m_(errors.tof_minimum_m), random_(seed, "range_faults")
+SimRanges::SimRanges(
+  const BodyShape & shape, const SimErrors & errors, std::uint64_t seed, bool at_once)
+: at_once_(at_once), minimum_m_(errors.tof_minimum_m), random_(seed, "range_faults")
 {
   for (std::size_t place = 0; place < kRangePlaces; ++place) {
     sensors_.emplace_back(shape.tof[place], errors, seed, kRangeNames[place]);
   }
+}
+
+/// 30 Hz out of 100 Hz: every third or fourth tick.
+bool SimRanges::cycle_ends(std::uint64_t tick) const
+{
+  return at_once_ || tick * 3 / 10 != (tick - 1) * 3 / 10;
 }
 
 void SimRanges::observe(
@@ -47,7 +53,8 @@ void SimRanges::observe(
   }
   const std::size_t next = (newest_ + 1) % kRemembered;
   for (std::size_t place = 0; place < kRangePlaces; ++place) {
-    history_[place][next] = corrupted(place, sensors_[place].measure(body, now, kCycle), faults);
+    const double cycle_s = at_once_ ? kTick : kCycle;
+    history_[place][next] = corrupted(place, sensors_[place].measure(body, now, cycle_s), faults);
   }
   newest_ = next;
 }
@@ -117,7 +124,8 @@ bool SimRanges::deliver(
 {
   for (std::size_t place = 0; place < kRangePlaces; ++place) {
     const SimFault * late = faults.acting(SimFaultKind::kLate, kRangeNames[place]);
-    const Time delay = kLatency + (late ? seconds_to_time(late->value) : Time::zero());
+    const Time latency = at_once_ ? Time::zero() : kLatency;
+    const Time delay = latency + (late ? seconds_to_time(late->value) : Time::zero());
     for (std::size_t age = 0; age < kRemembered; ++age) {
       const RangeReading & reading = history_[place][(newest_ + kRemembered - age) % kRemembered];
       if (reading.stamp > Time::zero() && reading.stamp + delay <= now) {
@@ -126,7 +134,7 @@ bool SimRanges::deliver(
       }
     }
   }
-  return tick > kLatencyTicks && cycle_ends(tick - kLatencyTicks);
+  return at_once_ || (tick > kLatencyTicks && cycle_ends(tick - kLatencyTicks));
 }
 
 void SimRanges::feign_block3_front(std::optional<double> range_m)

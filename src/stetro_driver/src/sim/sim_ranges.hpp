@@ -29,11 +29,12 @@ namespace stetro_driver::sim
 {
 
 /// The eight range sensors, their faults, and the way of their readings to the driver.
-/** All measure at 30 Hz on the same tick; readings arrive two ticks later. */
+/** All measure on the same tick: at 30 Hz, to arrive two ticks later, or each tick, at once. */
 class SimRanges
 {
 public:
-  SimRanges(const BodyShape & shape, const SimErrors & errors, std::uint64_t seed);
+  SimRanges(
+    const BodyShape & shape, const SimErrors & errors, std::uint64_t seed, bool at_once = false);
 
   /// Measures when it is time to. \param tick counted from 1
   void observe(const SimBody & body, std::uint64_t tick, Time now, const FaultInjector & faults);
@@ -68,14 +69,15 @@ public:
 
 private:
   static constexpr std::size_t kRemembered = 24;  // 0.8 s
-  static constexpr std::uint64_t kLatencyTicks = 2;
 
+  [[nodiscard]] bool cycle_ends(std::uint64_t tick) const;
   [[nodiscard]] RangeReading corrupted(
     std::size_t place, RangeReading reading, const FaultInjector & faults);
 
   [[nodiscard]] RangeReading bent(
     RangeReading reading, std::string_view name, const FaultInjector & faults) const;
 
+  bool at_once_;
   double minimum_m_;
   RandomStream random_;
   std::vector<SimTof> sensors_;

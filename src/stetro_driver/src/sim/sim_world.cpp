@@ -43,7 +43,7 @@ SimRobot::World::World(
   wheels(options.errors, options.seed),
   gyro(options.errors, options.seed),
   contacts(options.errors, options.seed),
-  ranges(shape, options.errors, options.seed),
+  ranges(shape, options.errors, options.seed, options.ranges_at_once),
   faults(options.faults),
   kidnap_random(options.seed, "kidnap"),
   time(options.origin)
