@@ -66,9 +66,15 @@ void FloorCheck::follow(const Observation & seen, const CheckContext & context)
   }
 }
 
-bool FloorCheck::is_still_enough(const Scan & scan) const
+/// Not looked at yet, of just now, and not smeared by a turn.
+bool FloorCheck::is_usable(const Scan * scan, Time now) const
 {
-  const auto rate = turning_.greatest_rate(scan.time, scan.duration_s);
+  if (
+    scan == nullptr || scan->time <= last_scan_ || scan->time > now ||
+    seconds_between(scan->time, now) > kOldScan_s) {
+    return false;
+  }
+  const auto rate = turning_.greatest_rate(scan->time, scan->duration_s);
   return rate && *rate <= params_.check_turn_rad_s;
 }
 
@@ -76,18 +82,20 @@ void FloorCheck::tick(Time now, const Observation & seen, const CheckContext & c
 {
   report_.reset();
   follow(seen, context);
+  const auto & scan = seen.scan;
+  const bool usable = is_usable(scan.get(), now);
   if (search_) {
-    if (const auto answer = search_->step()) {
-      conclude(*answer, context);
+    if (!answer_) {
+      answer_ = search_->step();
+    }
+    if (answer_ && (!answer_->found || usable)) {
+      conclude(*std::exchange(answer_, std::nullopt), scan.get(), context);
       search_.reset();
       last_search_ = now;
     }
     return;
   }
-  const auto & scan = seen.scan;
-  const bool fresh = scan && scan->time > last_scan_ && scan->time <= now &&
-                     seconds_between(scan->time, now) <= kOldScan_s;
-  if (!fresh || !is_still_enough(*scan)) {
+  if (!usable) {
     return;
   }
   const bool due =
@@ -159,13 +167,30 @@ void FloorCheck::begin_search(std::shared_ptr<const Scan> scan, const CheckConte
   search_.emplace(std::move(asked), std::move(scan), lidar_, params_);
 }
 
-void FloorCheck::conclude(const SearchAnswer & answer, const CheckContext & context)
+/// The robot may have been carried on meanwhile; and the localizer takes nothing that is old.
+void FloorCheck::confirm(SearchAnswer & answer, const Scan & scan)
+{
+  last_scan_ = scan.time;
+  answer.testimony = witness_of(answer.floor_id)->at(scan, *answer.found);
+  answer.found = answer.testimony.found;
+  if (!answer.found) {
+    answer.verdict = Verdict::kNoVerdict;
+    answer.reason = "the place that was found does not explain the newest scan";
+  }
+}
+
+/// \param newest scan, which is usable if there is a place to confirm
+void FloorCheck::conclude(SearchAnswer answer, const Scan * newest, const CheckContext & context)
 {
   if (resets_ != search_resets_) {
     return;  // it is about a pose that is gone
   }
   CheckReport report;
   report.time = search_->scan_time();
+  if (answer.found) {
+    confirm(answer, *newest);
+    report.time = newest->time;
+  }
   report.floor_id = answer.floor_id;
   report.searched = true;
   report.testimony = answer.testimony;

@@ -19,13 +19,10 @@
 #include <iostream>
 #include <memory>
 #include <random>
-#include <variant>
 
 #include "stetro_site/frame_transform.hpp"
-#include "stetro_site/wall_segments.hpp"
 #include "stetro_supervisor/floor/floor_search.hpp"
-#include "support/two_floors.hpp"
-#include "support/wall_caster.hpp"
+#include "support/lidar_in_two_floors.hpp"
 
 namespace stetro_supervisor
 {
@@ -38,38 +35,14 @@ constexpr double kPi = 3.14159265358979312;
 
 }  // namespace
 
-class FloorSearchTest : public testing::Test
+class FloorSearchTest : public LidarInTwoFloors
 {
 protected:
   FloorSearchTest()
   {
-    lidar.x_m = 0.05;
-    lidar.yaw_rad = 0.3;
-    for (const char * id : {"ground", "landing", "first"}) {
-      floors.push_back(std::make_unique<DrawnFloor>(site, id, params.resolution_m));
-      witnesses.emplace_back(*floors.back(), lidar, params);
+    for (const auto & floor : floors) {
+      witnesses.emplace_back(*floor, lidar, params);
     }
-  }
-
-  std::shared_ptr<const Scan> scan_at(
-    std::size_t floor, const FloorPlace & place,
-    const std::vector<stetro_site::Segment> & more = {})
-  {
-    auto walls = stetro_site::wall_segments(
-      std::get<stetro_site::PolygonWalls>(floors[floor]->floor().drawing));
-    walls.insert(walls.end(), more.begin(), more.end());
-    const ScannerPose at = scanner_at(place, lidar);
-    auto scan = std::make_shared<Scan>();
-    scan->profile.fan = {-kPi, 2.0 * kPi / 360.0, 360};
-    auto fan = scan->profile.fan;
-    fan.first_rad += at.yaw_rad;
-    WallCaster{walls}.cast(at.position_m, fan, 12.0, scan->profile.ranges_m);
-    std::normal_distribution<double> noise{0.0, 0.01};
-    std::bernoulli_distribution drops{0.03};
-    for (double & range : scan->profile.ranges_m) {
-      range = drops(random) ? HUGE_VAL : range + noise(random);
-    }
-    return scan;
   }
 
   SearchAnswer search(const std::shared_ptr<const Scan> & scan, std::vector<ProfileWitness *> asked)
@@ -97,12 +70,7 @@ protected:
     return asked;
   }
 
-  const stetro_site::Site site = two_floors(16, 8);
-  stetro_site::Lidar lidar;
-  FloorParams params;
-  std::vector<std::unique_ptr<DrawnFloor>> floors;
   std::vector<ProfileWitness> witnesses;
-  std::mt19937 random{20260303};
   double longest_s = 0.0;
   int steps = 0;
 };

@@ -66,8 +66,9 @@ struct CheckContext
  * compared with the map about the pose (`ThreeAnswers`), and the answer told to the localizer as a
  * correction, be it small. `floor.doubts` answers in a row against the pose make it doubted: the
  * robot must stand, and the floor is searched for where it is (`FloorSearch`). The same when the
- * localizer has lost it or never had it. A place is told when it is the only one; the localizer,
- * which refuses what is far from its pose, follows when several agree.
+ * localizer has lost it or never had it. A place is told when it is the only one and explains the
+ * newest scan, for a search takes seconds; the localizer, which refuses what is far from its pose,
+ * follows when several agree.
  *
  * A scan is used once, not while the robot turns faster than `floor.check_turn_rad_s`, and only if
  * the pose at its time is known. Reads no clock. For one thread.
@@ -102,10 +103,11 @@ public:
 
 private:
   void follow(const Observation & seen, const CheckContext & context);
-  [[nodiscard]] bool is_still_enough(const Scan & scan) const;
+  [[nodiscard]] bool is_usable(const Scan * scan, Time now) const;
   void compare(const Scan & scan, const PoseHistory::Told & told);
   void begin_search(std::shared_ptr<const Scan> scan, const CheckContext & context);
-  void conclude(const SearchAnswer & answer, const CheckContext & context);
+  void confirm(SearchAnswer & answer, const Scan & scan);
+  void conclude(SearchAnswer answer, const Scan * newest, const CheckContext & context);
   [[nodiscard]] ProfileWitness * witness_of(const std::string & floor_id);
 
   stetro_site::Lidar lidar_;
@@ -114,6 +116,7 @@ private:
   PoseHistory history_;
   TurnWatch turning_;
   std::optional<FloorSearch> search_;
+  std::optional<SearchAnswer> answer_;  // of the search, until a newer scan bears it out
   std::optional<CheckReport> report_;
   std::string doubt_;
   std::int64_t doubts_ = 0;

@@ -1,0 +1,108 @@
+// Copyright 2026 The sTetro Authors
+//
+// Licensed under the Apache License, Version 2.0 (the "License");
+// you may not use this file except in compliance with the License.
+// You may obtain a copy of the License at
+//
+//     http://www.apache.org/licenses/LICENSE-2.0
+//
+// Unless required by applicable law or agreed to in writing, software
+// distributed under the License is distributed on an "AS IS" BASIS,
+// WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+// See the License for the specific language governing permissions and
+// limitations under the License.
+
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "stetro_site/frame_transform.hpp"
+#include "stetro_supervisor/floor/floor_check.hpp"
+#include "support/lidar_in_two_floors.hpp"
+
+namespace stetro_supervisor
+{
+
+class FloorCheckTest : public LidarInTwoFloors
+{
+protected:
+  /// A tick with a scan of a moment ago, and wheels that stand still.
+  void tick(std::size_t floor, const FloorPlace & truth)
+  {
+    now += kTick;
+    Observation seen;
+    seen.odometry = OdometryPose{now, 0.0, 0.0, 0.0};
+    if (scans_arrive) {
+      auto scan = scan_at(floor, truth);
+      scan->time = now - kTick;
+      seen.scan = scan;
+    }
+    CheckContext context;
+    context.lost = true;
+    check.tick(now, seen, context);
+  }
+
+  /// Two ticks: how fast the robot turned is known of a scan that lies between them.
+  void begin_search(std::size_t floor, const FloorPlace & truth)
+  {
+    tick(floor, truth);
+    tick(floor, truth);
+  }
+
+  /// The first report, or nothing after so many ticks.
+  std::optional<CheckReport> report_within(int ticks, std::size_t floor, const FloorPlace & truth)
+  {
+    for (int i = 0; i < ticks && !check.report(); ++i) {
+      tick(floor, truth);
+    }
+    return check.report();
+  }
+
+  static constexpr Time kTick = std::chrono::milliseconds{100};  // half the usual rate
+  std::vector<const DrawnFloor *> all{floors[0].get(), floors[1].get(), floors[2].get()};
+  FloorCheck check{all, lidar, params};
+  Time now = std::chrono::seconds{1000};
+  bool scans_arrive = true;
+};
+
+// The localizer takes no correction that is older than its window, 2 s, and a search on three
+// floors takes longer at this rate.
+TEST_F(FloorCheckTest, TellsWhereTheRobotIsAsOfNow)
+{
+  const FloorPlace truth{"landing", {11.2, 1.3}, 2.1, Eigen::Matrix3d::Zero()};
+  const Time began = now;
+  const auto report = report_within(200, 1, truth);
+  ASSERT_TRUE(report && report->correction) << (report ? report->reason : "no report");
+  EXPECT_GT(seconds_between(began, now), 2.0) << "no slower search than the window: no test";
+  EXPECT_LE(seconds_between(report->correction->time, now), 0.2);
+  EXPECT_EQ(report->floor_id, "landing");
+  EXPECT_LT((report->correction->place.position_m - truth.position_m).norm(), 0.02);
+}
+
+TEST_F(FloorCheckTest, TellsNothingOfARobotThatWasCarriedOnMeanwhile)
+{
+  const FloorPlace first{"landing", {11.2, 1.3}, 2.1, Eigen::Matrix3d::Zero()};
+  const FloorPlace then{"ground", {1.2, 1.3}, 2.1, Eigen::Matrix3d::Zero()};
+  begin_search(1, first);
+  const auto report = report_within(200, 0, then);
+  ASSERT_TRUE(report);
+  EXPECT_FALSE(report->correction);
+  EXPECT_EQ(report->verdict, Verdict::kNoVerdict);
+  EXPECT_NE(report->reason.find("newest scan"), std::string::npos) << report->reason;
+}
+
+TEST_F(FloorCheckTest, WaitsForAScanThatBearsItsAnswerOut)
+{
+  const FloorPlace truth{"landing", {11.6, 3.1}, -1.0, Eigen::Matrix3d::Zero()};
+  begin_search(1, truth);
+  scans_arrive = false;
+  EXPECT_FALSE(report_within(200, 1, truth));
+  scans_arrive = true;
+  const auto report = report_within(3, 1, truth);
+  ASSERT_TRUE(report && report->correction) << (report ? report->reason : "no report");
+  EXPECT_LE(seconds_between(report->correction->time, now), 0.2);
+}
+
+}  // namespace stetro_supervisor
