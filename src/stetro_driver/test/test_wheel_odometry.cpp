@@ -131,6 +131,28 @@ TEST(WheelOdometry, RollsAlongX)
   EXPECT_EQ(o.stamp, Time{2s});
 }
 
+// A filter that uses the twist alone must not fall behind when the robot starts and stops.
+TEST(WheelOdometry, ItsTwistAddsUpToItsPose)
+{
+  WheelOdometry odometry{two_wheels()};
+  double shaft = 0.0;
+  double added_m = 0.0;
+  for (int i = 0; i <= 100; ++i) {
+    const double speed = i > 20 && i <= 70 ? 6.0 : 0.0;  // starts and stops at once
+    shaft += speed * kPeriodS;
+    const Time now = 1s + i * kPeriod;
+    const Measured front = measure(shaft);
+    const Measured rear = measure(-shaft);
+    std::array<WheelReading, kWheels> wheels{};
+    wheels[0] = {now, front.position_rad, front.in_gap, speed};
+    wheels[2] = {now, rear.position_rad, rear.in_gap, -speed};
+    odometry.update(wheels, 0.0);
+    added_m += odometry.reading().vx_m_s * kPeriodS;
+    EXPECT_NEAR(added_m, odometry.reading().x_m, 1e-9) << "after " << i << " periods";
+    EXPECT_NEAR(added_m, 0.025 * shaft, 0.001) << "after " << i << " periods";
+  }
+}
+
 TEST(WheelOdometry, TurnsOnTheSpotWithTheWheelsAcross)
 {
   const OdometryReading o = roll(2.0, 2.0, kHalfPi);  // +-50 mm/s at +-0.2 m

@@ -30,8 +30,6 @@ namespace
 constexpr std::uint32_t kStuckRepeats = 60;
 
 constexpr Time kBriefSilence = std::chrono::seconds{1};
-constexpr Time kClockStep = std::chrono::milliseconds{500};
-
 std::string place_name(std::size_t place) { return std::string(kRangeNames[place]); }
 
 /// Servos do not feel weight: blocks that stand are taken to carry equal shares of it.
@@ -175,21 +173,10 @@ Result<SensorFrame> LinuxRobot::read(Time now)
   return frame_;
 }
 
-// The caller has read its clock a little before we read ours: the largest difference is the truest,
-// and stamps of one measurement do not change. A much smaller one is a step of the caller's clock.
-Time LinuxRobot::shift_to_caller(Time now, Time device_now)
-{
-  const Time shift = now - device_now;
-  if (!shift_ || shift > *shift_ || shift < *shift_ - kClockStep) {
-    shift_ = shift;
-  }
-  return *shift_;
-}
-
 void LinuxRobot::sense(Time now)
 {
   const Time device_now = clock_.now();
-  const Time shift = shift_to_caller(now, device_now);
+  const Time shift = shift_.take(now, device_now);
   const auto moved = [shift](Time stamp) {
     return stamp > Time::zero() ? stamp + shift : Time::zero();
   };

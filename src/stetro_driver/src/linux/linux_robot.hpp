@@ -25,6 +25,7 @@
 #include <string>
 #include <vector>
 
+#include "linux/clock_shift.hpp"
 #include "linux/device_clock.hpp"
 #include "linux/devices_file.hpp"
 #include "linux/imu/vn100.hpp"
@@ -77,7 +78,6 @@ private:
   void open(const std::string & kind, const std::function<void()> & action);
   void release();
   void sense(Time now);
-  [[nodiscard]] Time shift_to_caller(Time now, Time device_now);
   void sense_ranges(Time device_now, Time shift);
   void sense_blocks(Time device_now);
   void sense_contacts(Time device_now, Time shift);
@@ -101,7 +101,7 @@ private:
   bool active_ = false;
   std::atomic<bool> safe_{false};
   SensorFrame frame_{};
-  std::optional<Time> shift_{};  // from device time to the caller's
+  ClockShift shift_{};
   std::array<TofLatest, kRangePlaces> latest_{};
   std::array<std::uint64_t, kRangePlaces> told_{};  // numbers of the last complete cycle
   Time cycle_ended_{0};

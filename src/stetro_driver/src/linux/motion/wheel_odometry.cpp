@@ -50,11 +50,15 @@ void TurningAngle::measure(Time stamp, double position_rad, bool in_gap, double 
     angle_rad_ = position_rad;
   } else {
     const double dt_s = time_to_seconds(stamp - stamp_);
+    const double before_rad = angle_rad_;
     if (in_gap) {
       angle_rad_ = into_gap(angle_rad_ + told_rad_s * dt_s);
     } else {
       const double expected = angle_rad_ + speed_rad_s() * dt_s;
       angle_rad_ = position_rad + kTurn * std::round((expected - position_rad) / kTurn);
+    }
+    if (dt_s > 0.0) {
+      last_speed_rad_s_ = (angle_rad_ - before_rad) / dt_s;
     }
   }
   remember(stamp);
@@ -98,7 +102,7 @@ void WheelOdometry::update(const std::array<WheelReading, kWheels> & wheels, dou
     const double before_rad = wheels_[i].angle_rad();
     wheels_[i].measure(wheel.stamp, wheel.position_rad, wheel.in_gap, wheel.told_rad_s);
     turned[i] = wheels_[i].angle_rad() - before_rad;
-    speeds[i] = wheels_[i].speed_rad_s();
+    speeds[i] = wheels_[i].last_speed_rad_s();
     stamp = std::max(stamp, wheel.stamp);
   }
   OdometryReading & o = reading_;

@@ -38,8 +38,10 @@ public:
   void measure(Time stamp, double position_rad, bool in_gap, double told_rad_s);
 
   [[nodiscard]] double angle_rad() const { return angle_rad_; }
-  /// Over the last tenth of a second.
+  /// Over the last tenth of a second: calm, and half of that late.
   [[nodiscard]] double speed_rad_s() const;
+  /// Between the last two readings: what it adds up to is the angle.
+  [[nodiscard]] double last_speed_rad_s() const { return last_speed_rad_s_; }
 
 private:
   struct Sample
@@ -55,6 +57,7 @@ private:
   std::size_t count_ = 0;  // all that were remembered
   Time stamp_{0};
   double angle_rad_ = 0.0;
+  double last_speed_rad_s_ = 0.0;
 };
 
 /// What one wheel's servo said.
@@ -67,6 +70,10 @@ struct WheelReading
 };
 
 /// Dead reckoning from what the wheels turned. Starts at zero where the robot stands.
+/**
+ * The twist is that of the last interval, so whoever adds it up arrives at the pose. A mean over
+ * longer would be calmer and late: at 0.15 m/s each 10 ms are 1.5 mm at every start and stop.
+ */
 class WheelOdometry
 {
 public:
