@@ -196,6 +196,25 @@ TEST(Lifts, StayWhereTheyAreWhenHeld)
   EXPECT_FALSE(body.reading(1).at_lower_lock);
 }
 
+// A hand may be under the block: no leg is ended when all is stopped.
+TEST(Lifts, StopAtOnceWhileLowering)
+{
+  Body body;
+  body.run(MotionKind::kLift, 1);
+  body.lifts.start(MotionKind::kLower, 1);
+  for (int i = 0; i < 50; ++i) {
+    body.period();
+  }
+  const double stopped_m = body.extensions_m[0];
+  body.lifts.stop();
+  for (int i = 0; i < 50; ++i) {
+    body.period();
+  }
+  EXPECT_NEAR(body.extensions_m[0], stopped_m, 1e-9);
+  EXPECT_FALSE(body.reading(1).moving);
+  EXPECT_FALSE(body.reading(1).at_lower_lock);
+}
+
 TEST(Lifts, EndWhereTheirServoEnds)
 {
   Body body;

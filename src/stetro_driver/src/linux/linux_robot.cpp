@@ -29,6 +29,8 @@ namespace
 /// A VL53L0X has 2 mm of noise: whole seconds of one millimetre are no measurement.
 constexpr std::uint32_t kStuckRepeats = 60;
 
+constexpr JointCommand kStop{MotionKind::kStop};
+
 constexpr Time kBriefSilence = std::chrono::seconds{1};
 std::string place_name(std::size_t place) { return std::string(kRangeNames[place]); }
 
@@ -152,7 +154,7 @@ void LinuxRobot::reset_emergency_stop()
   if (const auto fault = contacts_->reset_emergency_stop()) {
     throw HardwareError(fault->detail);
   }
-  static_cast<void>(chassis_->command({}));
+  static_cast<void>(chassis_->command(kStop));
   sense(frame_.time);
 }
 
@@ -168,7 +170,7 @@ Result<SensorFrame> LinuxRobot::read(Time now)
   }
   sense(now);
   if (active_ && (switches_.emergency_stop_latched || trouble_)) {
-    static_cast<void>(chassis_->command({}));  // also when nobody writes any more
+    static_cast<void>(chassis_->command(kStop));  // also when nobody writes any more
   }
   return frame_;
 }
@@ -306,7 +308,7 @@ std::optional<IoFault> LinuxRobot::write(const JointCommand & command)
   if (chassis_ == nullptr) {
     return fault;
   }
-  auto untold = chassis_->command(fault ? JointCommand{} : command);
+  auto untold = chassis_->command(fault ? kStop : command);
   return fault ? fault : untold;
 }
 

@@ -216,14 +216,16 @@ void Chassis::round(Time now)
   if (!fault_ && steering_.torn()) {
     fault_ = IoFault{IoFaultKind::kBadAnswer, "steering: front and rear stand differently"};
   }
+  JointCommand stop;
+  stop.kind = MotionKind::kStop;
   JointCommand command;
   {
     const std::lock_guard<std::mutex> lock{mutex_};
     const bool fresh = now - commanded_at_ <= seconds_to_time(config_.command_timeout_s);
-    command = fresh ? command_ : JointCommand{};
+    command = fresh ? command_ : stop;
   }
   const bool holding = fault_ || !powered_ || safe_;
-  obey(holding ? JointCommand{} : command, now);
+  obey(holding ? stop : command, now);
   tell(holding);
   publish(now);
 }
@@ -298,6 +300,10 @@ void Chassis::obey(const JointCommand & command, Time now)
     case MotionKind::kLower:
       steering_.hold();
       lifts_.start(command.kind, command.block);
+      break;
+    case MotionKind::kStop:
+      steering_.hold();
+      lifts_.stop();
       break;
     default:
       steering_.hold();

@@ -93,6 +93,15 @@ void Lifts::hold()
   }
 }
 
+// Once: a goal that followed what is measured would let a block creep down under its weight.
+void Lifts::stop()
+{
+  if (under_way()) {
+    goals_m_ = measured_m_;
+  }
+  motion_ = {};
+}
+
 void Lifts::start(MotionKind kind, int block)
 {
   if (motion_.kind == kind && motion_.block == block) {

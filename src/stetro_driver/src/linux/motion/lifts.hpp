@@ -66,6 +66,8 @@ public:
    * block left hanging just above it, neither aloft nor standing, would leave both waiting.
    */
   void hold();
+  /// Blocks stay where they are, at once.
+  void stop();
   void advance(Time now, double dt_s);
 
   [[nodiscard]] std::array<double, kPair> servo_goals_rad() const;
