@@ -119,6 +119,18 @@ TEST_F(EmulatedMechanicsTest, ABrakeKeepsAndAFreeShaftLetsGo)
   EXPECT_LT(follow().lifted_m[0], 0.0) << "the block falls";
 }
 
+// Two free lifts once raised the block they sit in, by the weight of those beside it.
+TEST_F(EmulatedMechanicsTest, FreeShaftsRaiseNothing)
+{
+  for (ServoDrive & lift : drives_.lifts) {
+    lift.torque = Torque::kFree;
+  }
+  const SimActuation moved = follow();
+  EXPECT_LT(moved.lifted_m[0], 0.0);
+  EXPECT_EQ(moved.lifted_m[1], 0.0);
+  EXPECT_LT(moved.lifted_m[2], 0.0);
+}
+
 TEST_F(EmulatedMechanicsTest, ShaftsSayWhatTheBodyDid)
 {
   SensorFrame frame;

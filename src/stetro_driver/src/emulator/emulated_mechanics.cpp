@@ -58,9 +58,10 @@ SimActuation EmulatedMechanics::follow(
   roll(drives, moved);
   const bool block2_stands = blocks[1].at_lower_lock;
   const Extensions way_m = wanted_m(drives, block2_stands, dt_s);
-  if (!block2_stands) {
-    moved.lifted_m[1] = -(way_m[0] + way_m[1]) / 2.0;
-  } else if (way_m[0] < 0.0 && way_m[1] < 0.0) {
+  // Only motors raise a block: outer ones that nothing holds fall as far as the ground lets them.
+  const bool powered =
+    drives.lifts[0].torque == Torque::kOn && drives.lifts[1].torque == Torque::kOn;
+  if (!block2_stands || (powered && way_m[0] < 0.0 && way_m[1] < 0.0)) {
     moved.lifted_m[1] = -(way_m[0] + way_m[1]) / 2.0;
   } else if (!(way_m[0] > 0.0 && way_m[1] > 0.0)) {  // else it has touched down, and both stall
     moved.lifted_m[0] = way_m[0];
