@@ -62,6 +62,7 @@ linux_io::Devices devices_of(const DriverSetup & setup)
   stetro_config::Faults faults;
   auto devices = linux_io::read_devices(setup.robot, faults);
   faults.throw_if_any();
+  devices->chassis.blocks_file = setup.params.blocks_file;
   return std::move(devices).value();
 }
 

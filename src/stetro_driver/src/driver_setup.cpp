@@ -89,7 +89,8 @@ void check_floors_of_faults(const DriverSetup & setup, stetro_config::Faults & f
   }
 }
 
-void check_snapshot_file(const std::string & file, stetro_config::Faults & faults)
+void check_kept_file(
+  const std::string & name, const std::string & file, stetro_config::Faults & faults)
 {
   if (file.empty()) {
     return;
@@ -99,7 +100,7 @@ void check_snapshot_file(const std::string & file, stetro_config::Faults & fault
   if (
     !std::filesystem::is_directory(directory, ignored) ||
     ::access(directory.c_str(), W_OK | X_OK) != 0 || std::filesystem::is_directory(file, ignored)) {
-    faults.refuse("sim.snapshot_file", file, "a file in a directory that exists and is writable");
+    faults.refuse(name, file, "a file in a directory that exists and is writable");
   }
 }
 
@@ -120,6 +121,7 @@ SimOptions sim_options(const DriverSetup & setup)
 
 void check(const DriverSetup & setup, stetro_config::Faults & faults)
 {
+  check_kept_file("blocks_file", setup.params.blocks_file, faults);
   if (setup.params.hardware != "sim") {
     static_cast<void>(linux_io::read_devices(setup.robot, faults));
   }
@@ -128,7 +130,7 @@ void check(const DriverSetup & setup, stetro_config::Faults & faults)
   }
   check_start(setup, faults);
   check_floors_of_faults(setup, faults);
-  check_snapshot_file(setup.params.sim.snapshot_file, faults);
+  check_kept_file("sim.snapshot_file", setup.params.sim.snapshot_file, faults);
 }
 
 std::optional<DriverSetup> read_setup(const DriverParams & params, stetro_config::Faults & faults)

@@ -48,6 +48,10 @@ void check(const DriverParams & params, stetro_config::Faults & faults)
         "sim.snapshot_file", params.sim.snapshot_file, "empty: emulated devices cannot be resumed");
     }
   }
+  if (params.hardware == "sim" && !params.blocks_file.empty()) {
+    faults.refuse(
+      "blocks_file", params.blocks_file, "empty: a simulated robot has sim.snapshot_file");
+  }
   try {
     static_cast<void>(parse_sim_faults(params.sim.faults));
   } catch (const std::invalid_argument & error) {

@@ -20,6 +20,7 @@
 #include <functional>
 #include <string>
 
+#include "device_bench.hpp"
 #include "linux/motion/chassis.hpp"
 #include "servo_line.hpp"
 
@@ -313,6 +314,24 @@ TEST(Chassis, FeelsTheGroundUnderABlock)
     return r.blocks[0].at_lower_lock;
   }));
   EXPECT_NEAR(bench.chassis->reading().blocks[0].height_m, 0.14, 0.001);
+}
+
+TEST(Chassis, KnowsAfterARestartWhichBlocksStood)
+{
+  const TempDirectory directory;
+  Bench bench{"restart"};
+  bench.config.blocks_file = (directory.path() / "blocks").string();
+  bench.chassis.emplace(bench.config, bench.clock);
+  bench.start();
+  ASSERT_TRUE(bench.until(lift(MotionKind::kLift, 1), [](const ChassisReading & r) {
+    return r.blocks[0].at_upper_lock;
+  }));
+  bench.chassis.emplace(bench.config, bench.clock);
+  bench.start();
+  const auto blocks = bench.chassis->reading().blocks;
+  EXPECT_TRUE(blocks[0].at_upper_lock);
+  EXPECT_FALSE(blocks[0].at_lower_lock);
+  EXPECT_TRUE(blocks[1].at_lower_lock && blocks[2].at_lower_lock);
 }
 
 TEST(Chassis, NamesEveryServoThatIsMissingAtTheStart)

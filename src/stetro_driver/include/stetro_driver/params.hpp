@@ -74,6 +74,7 @@ struct DriverParams
   std::string flight;
   bool start_active = true;
   bool range_topics = false;
+  std::string blocks_file;
   LoopParams loop;
   CommandParams command;
   SimParams sim;
@@ -146,6 +147,9 @@ void visit(DriverParams & p, Visitor && each)
   each(
     "start_active", p.start_active, Any{}, "power the motors at the start, standing and holding");
   each("range_topics", p.range_topics, Any{}, "publish range/<sensor> too, for RViz");
+  each(
+    "blocks_file", p.blocks_file, Any{},
+    "keeps which blocks stand, for a restart in mid-climb; empty: no file");
   visit(p.loop, Group{"loop", each});
   visit(p.command, Group{"command", each});
   visit(p.sim, Group{"sim", each});

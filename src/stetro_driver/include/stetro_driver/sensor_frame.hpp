@@ -176,6 +176,7 @@ struct SensorFrame
   std::array<RangeReading, kRangePlaces> ranges{};
   std::array<ContactReading, kContactPlaces> contacts{};
   bool emergency_stop_latched = false;  ///< its button was pressed, and nobody has reset it since
+  Time blocks_stamp{0};                 ///< when blocks and steering were measured
   std::array<BlockReading, kBlocks> blocks{};
   SteeringReading steering{};
   GyroReading gyro{};

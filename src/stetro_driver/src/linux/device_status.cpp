@@ -22,7 +22,7 @@ namespace stetro_driver::linux_io
 namespace
 {
 
-constexpr double kRoomTemperatureRaw = 0xDF;  // the factory's limit, near 85 degrees
+constexpr double kLimitTemperatureRaw = 0xDF;  // the factory's limit, near 85 degrees
 
 std::string number(double value, const char * unit)
 {
@@ -114,7 +114,7 @@ DeviceStatus status_of(const ServoDiagnostics & servo)
   status.figures.emplace_back("voltage", number(servo.state.voltage_v, "V"));
   status.figures.emplace_back(
     "temperature",
-    number(100.0 * servo.state.temperature_raw / kRoomTemperatureRaw, "% of its limit's reading"));
+    number(100.0 * servo.state.temperature_raw / kLimitTemperatureRaw, "% of its limit's reading"));
   status.figures.emplace_back("errors", std::to_string(servo.state.errors));
   return status;
 }

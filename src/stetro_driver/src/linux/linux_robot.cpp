@@ -113,7 +113,8 @@ void LinuxRobot::open(const std::string & kind, const std::function<void()> & ac
   status.name = kind;
   try {
     action();
-  } catch (const HardwareError & error) {
+  } catch (const std::exception & error) {
+    // Also what a library throws: the other devices are looked at, and people are told of all.
     status.fault = IoFault{IoFaultKind::kNotConfigured, error.what()};
   }
   openings_.push_back(std::move(status));
@@ -124,6 +125,7 @@ void LinuxRobot::activate()
   if (!configured_) {
     throw HardwareError("the robot is not configured");
   }
+  safe_ = false;  // from now on: what makes it safe in between is not forgotten
   sense(frame_.time);
   if (switches_.emergency_stop_latched) {
     throw HardwareError("the emergency stop is latched, accepted: after its reset");
@@ -134,7 +136,6 @@ void LinuxRobot::activate()
     chassis_->deactivate();
     throw HardwareError(trouble_->detail);
   }
-  safe_ = false;
   active_ = true;
 }
 
@@ -188,7 +189,7 @@ void LinuxRobot::sense(Time now)
   frame_.gyro = imu_->reading(device_now);
   frame_.gyro.stamp = moved(frame_.gyro.stamp);
   motion_ = chassis_->reading();
-  sense_blocks(device_now);
+  sense_blocks(device_now, shift);
   frame_.steering = motion_.steering;
   frame_.odometry = motion_.odometry;
   frame_.odometry.stamp = moved(motion_.odometry.stamp);
@@ -252,12 +253,13 @@ void LinuxRobot::sense_contacts(Time device_now, Time shift)
 
 // Servos that miss a few questions hold, and write() says so. Broken blocks are for longer silence:
 // whoever hears of one gives up its climb.
-void LinuxRobot::sense_blocks(Time device_now)
+void LinuxRobot::sense_blocks(Time device_now, Time shift)
 {
   if (!motion_.fault) {
     chassis_well_ = device_now;
   }
   if (!motion_.fault || device_now - chassis_well_ > kBriefSilence) {
+    frame_.blocks_stamp = motion_.stamp > Time::zero() ? motion_.stamp + shift : Time::zero();
     frame_.blocks = motion_.blocks;
     share_weight(frame_.blocks);
   }
@@ -347,6 +349,9 @@ std::vector<DeviceStatus> LinuxRobot::devices() const
   const Time now = clock_.now();
   for (const ServoDiagnostics & servo : chassis_->diagnostics()) {
     all.push_back(status_of(servo));
+  }
+  if (std::string trouble = chassis_->blocks_trouble(); !trouble.empty()) {
+    all.push_back({"blocks_file", IoFault{IoFaultKind::kBadAnswer, std::move(trouble)}, {}});
   }
   all.push_back(status_of(contacts_->report()));
   all.push_back(status_of(*imu_, now));

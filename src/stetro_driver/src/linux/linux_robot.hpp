@@ -79,7 +79,7 @@ private:
   void release();
   void sense(Time now);
   void sense_ranges(Time device_now, Time shift);
-  void sense_blocks(Time device_now);
+  void sense_blocks(Time device_now, Time shift);
   void sense_contacts(Time device_now, Time shift);
   [[nodiscard]] bool cycle_complete(Time device_now);
   [[nodiscard]] std::optional<IoFault> refusal(const JointCommand & command);

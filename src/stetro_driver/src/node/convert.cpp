@@ -245,7 +245,7 @@ stetro_msgs::msg::Contacts to_contacts(const SensorFrame & frame)
 stetro_msgs::msg::BlockStates to_blocks(const SensorFrame & frame)
 {
   stetro_msgs::msg::BlockStates message;
-  message.header(header_of(frame.time, kBase));
+  message.header(header_of(frame.blocks_stamp, kBase));
   message.block1(to_block(frame.block(1)));
   message.block2(to_block(frame.block(2)));
   message.block3(to_block(frame.block(3)));

@@ -255,6 +255,7 @@ void SimRobot::World::compose_frame()
   frame.contacts = contacts.readings();
   frame.emergency_stop_latched = contacts.emergency_stop_latched();
   frame.ranges_complete = ranges.deliver(ticks, time, faults, frame.ranges);
+  frame.blocks_stamp = frame.time;
   frame.blocks = lifts.measure(body, command, ticks, lift_moved);
   frame.steering = steering;
   frame.gyro = gyro.reading();

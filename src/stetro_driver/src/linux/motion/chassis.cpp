@@ -63,7 +63,8 @@ Chassis::Chassis(const ChassisConfig & config, DeviceClock clock)
   bank_(config.bus, places_of(config), clock),
   odometry_(config.wheels),
   steering_(config.steering),
-  lifts_(config.lifts)
+  kept_(config.blocks_file),
+  lifts_(config.lifts, kept_.load())
 {
 }
 
@@ -104,12 +105,10 @@ void Chassis::activate()
   if (!thread_.joinable()) {
     throw HardwareError("servos: not configured");
   }
+  safe_ = false;  // before, not after: what makes it safe meanwhile is not forgotten
   if (const auto fault = ask_power(Torque::kOn)) {
     throw HardwareError(fault->detail + "; accepted: servos without faults");
   }
-  const std::lock_guard<std::mutex> lock{mutex_};
-  command_ = {};
-  safe_ = false;
 }
 
 std::optional<IoFault> Chassis::deactivate()
@@ -247,6 +246,9 @@ void Chassis::change_power()
     fault = on ? fault_ : std::nullopt;
   }
   powered_ = on && !fault;
+  if (powered_) {
+    lifts_.forgive();
+  }
   steering_.restart();
   lifts_.restart();
   {
@@ -314,9 +316,9 @@ void Chassis::obey(const JointCommand & command, Time now)
   lifts_.advance(now, dt_s_);
 }
 
-std::vector<ServoGoal> Chassis::goals(bool holding)
+void Chassis::set_goals(bool holding)
 {
-  std::vector<ServoGoal> goals;
+  goals_.clear();
   const double full = config_.wheels.full_speed_rad_s;
   for (std::size_t i = 0; i < kWheels; ++i) {
     if (geometry_.exists(i)) {
@@ -324,30 +326,30 @@ std::vector<ServoGoal> Chassis::goals(bool holding)
         holding ? 0.0
                 : speeds_[i].pwm(wanted_rad_s_[i], odometry_.wheel_speed_rad_s(i), full, dt_s_);
       told_rad_s_[i] = pwm * full;
-      goals.push_back({static_cast<int>(std::lround(pwm * kFullPwm)), true});
+      goals_.push_back({static_cast<int>(std::lround(pwm * kFullPwm)), true});
     }
   }
   for (const double goal : steering_.servo_goals_rad()) {
-    goals.push_back({position_count(goal), !fault_});
+    goals_.push_back({position_count(goal), !fault_});
   }
   for (const double goal : lifts_.servo_goals_rad()) {
-    goals.push_back({position_count(goal), !fault_});
+    goals_.push_back({position_count(goal), !fault_});
   }
-  return goals;
 }
 
 void Chassis::tell(bool holding)
 {
   // A leg lasts a little longer than a period, so that the next one finds it still moving.
   const Time playtime = seconds_to_time(config_.period_s) + kServoTick;
-  std::vector<ServoGoal> all = goals(holding);
-  const HerkulexBytes wire = bank_.jog(all, playtime);
-  for (std::size_t i = 0; i + 2 * kPair < all.size(); ++i) {
-    all[i].count = 0;  // the wheels
+  set_goals(holding);
+  const HerkulexBytes wire = bank_.jog(goals_, playtime);
+  for (std::size_t i = 0; i + 2 * kPair < goals_.size(); ++i) {
+    goals_[i].count = 0;  // the wheels
   }
   {
     const std::lock_guard<std::mutex> lock{mutex_};
-    hold_wire_ = powered_ ? std::optional<HerkulexBytes>{bank_.jog(all, playtime)} : std::nullopt;
+    hold_wire_ =
+      powered_ ? std::optional<HerkulexBytes>{bank_.jog(goals_, playtime)} : std::nullopt;
   }
   if (powered_ && bank_.bus().is_open()) {
     if (auto fault = bank_.bus().send(safe_ ? *hold_wire_ : wire)) {
@@ -358,6 +360,9 @@ void Chassis::tell(bool holding)
 
 void Chassis::publish(Time now)
 {
+  if (const auto known = lifts_.known()) {
+    kept_.keep(*known);
+  }
   const std::lock_guard<std::mutex> lock{mutex_};
   reading_.stamp = now;
   reading_.blocks = lifts_.readings();

@@ -26,6 +26,7 @@
 #include <vector>
 
 #include "linux/motion/chassis_config.hpp"
+#include "linux/motion/kept_blocks.hpp"
 #include "linux/motion/lifts.hpp"
 #include "linux/motion/steering.hpp"
 #include "linux/motion/wheel_odometry.hpp"
@@ -69,7 +70,7 @@ struct ServoDiagnostics
  * wheels without power, steering and lifts where their goals are; when it is over they obey the
  * next command. A command is good for command_timeout_s.
  *
- * Latched errors of servos are cleared by activate() and by nothing else.
+ * Latched errors of servos and jammed lifts are cleared by activate() and by nothing else.
  */
 class Chassis
 {
@@ -94,6 +95,8 @@ public:
   [[nodiscard]] ChassisReading reading() const;
   [[nodiscard]] std::vector<ServoDiagnostics> diagnostics() const;
   [[nodiscard]] DeviceCounts line_counts() const;
+  /// Why it is not kept what the blocks stand on; empty: it is.
+  [[nodiscard]] std::string blocks_trouble() const { return kept_.trouble(); }
   /// Rounds that took longer than the period.
   [[nodiscard]] std::uint64_t overruns() const { return overruns_; }
 
@@ -109,7 +112,7 @@ private:
   void tell(bool holding);
   void publish(Time now);
   [[nodiscard]] std::optional<IoFault> ask_power(Torque torque);
-  [[nodiscard]] std::vector<ServoGoal> goals(bool holding);
+  void set_goals(bool holding);
   void stop_thread();
 
   ChassisConfig config_;
@@ -120,10 +123,12 @@ private:
   ServoBank bank_;
   WheelOdometry odometry_;
   Steering steering_;
+  KeptBlocks kept_;
   Lifts lifts_;
   std::array<WheelSpeed, kWheels> speeds_{};
   WheelValues wanted_rad_s_{};
   WheelValues told_rad_s_{};
+  std::vector<ServoGoal> goals_{};  // a member so that no round allocates
   std::optional<IoFault> fault_{};
   bool powered_ = false;
   Time round_at_{0};

@@ -18,6 +18,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 
 #include "linux/servo/herkulex_bus.hpp"
 #include "stetro_config/fault.hpp"
@@ -82,6 +83,7 @@ struct ChassisConfig
   HerkulexBusConfig bus{};
   double period_s = 0.02;           ///< all servos are asked and told once in it
   double command_timeout_s = 0.25;  ///< then it holds
+  std::string blocks_file;          ///< a parameter of the driver's, not of the robot file
   WheelsConfig wheels{};
   SteeringConfig steering{};
   LiftsConfig lifts{};

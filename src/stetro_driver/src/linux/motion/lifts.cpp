@@ -35,6 +35,8 @@ constexpr double kArrived = 0.0015;                         // from the whole st
 constexpr double kLockMargin = 0.015;                       // a mechanical lock may come earlier
 constexpr double kOffGround = 0.001;                        // above this it stands no more [m]
 constexpr double kBelowStart = 0.01;                        // further down there is nothing [m]
+constexpr double kLevel = 0.01;                             // so near to the lowest, it stands too
+constexpr double kSettled = 0.005;                          // of blocks that stand, with no power
 constexpr double kLowest = kRadPerCount * (kLowestCount - kCentreCount);
 constexpr double kHighest = kRadPerCount * (kHighestCount - kCentreCount);
 
@@ -61,22 +63,58 @@ std::array<double, kBlocks> block_heights_m(const LiftExtensions & extensions_m)
   return {extensions_m[0] - lowest_m, 0.0 - lowest_m, extensions_m[1] - lowest_m};
 }
 
+Lifts::Lifts(const LiftsConfig & config, const std::optional<BlocksKnown> & known)
+: config_(config), known_(known.has_value()), blocks_(known.value_or(BlocksKnown{}))
+{
+}
+
 void Lifts::measure(Time now, const std::array<double, kPair> & servos_rad)
 {
   for (std::size_t i = 0; i < kPair; ++i) {
     measured_m_[i] = config_.m_per_rad * joint_rad(config_.joints[i], servos_rad[i]);
   }
-  if (!known_) {
-    known_ = true;
+  if (!begun_) {
+    begun_ = true;
+    take_stock();
     goals_m_ = measured_m_;
     progress_m_ = measured_m_;
     progress_at_ = now;
   }
+  blocks_.extensions_m = measured_m_;
+}
+
+void Lifts::take_stock()
+{
+  if (known_ && stands_as_before()) {
+    return;
+  }
+  known_ = true;
+  const auto heights = block_heights_m(measured_m_);
+  blocks_ = {};
+  for (std::size_t b = 0; b < kBlocks; ++b) {
+    blocks_.standing[b] = heights[b] < kLevel;
+    blocks_.stood_at_m[b] = measured_m_;
+  }
+}
+
+bool Lifts::stands_as_before() const
+{
+  const auto then = block_heights_m(blocks_.extensions_m);
+  const auto now = block_heights_m(measured_m_);
+  for (std::size_t a = 0; a < kBlocks; ++a) {
+    for (std::size_t b = 0; b < a; ++b) {
+      const double moved_m = (now[a] - now[b]) - (then[a] - then[b]);
+      if (blocks_.standing[a] && blocks_.standing[b] && std::abs(moved_m) > kSettled) {
+        return false;
+      }
+    }
+  }
+  return true;
 }
 
 void Lifts::restart()
 {
-  known_ = false;
+  begun_ = false;
   motion_ = {};
 }
 
@@ -112,8 +150,8 @@ void Lifts::start(MotionKind kind, int block)
   jammed_[index(block)] = false;
   progress_m_ = measured_m_;
   progress_at_ = Time::max();  // counted from the first advance()
-  if (standing_[index(block)]) {
-    stood_at_m_[index(block)] = measured_m_;
+  if (blocks_.standing[index(block)]) {
+    blocks_.stood_at_m[index(block)] = measured_m_;
     motion_.done = kind == MotionKind::kLower;
   }
 }
@@ -121,7 +159,7 @@ void Lifts::start(MotionKind kind, int block)
 double Lifts::raised_m(int block, const LiftExtensions & extensions_m) const
 {
   const LiftExtensions sense = sense_of(block);
-  const LiftExtensions & stood = stood_at_m_[index(block)];
+  const LiftExtensions & stood = blocks_.stood_at_m[index(block)];
   double sum = 0.0;
   double lifts = 0.0;
   for (std::size_t i = 0; i < kPair; ++i) {
@@ -190,29 +228,37 @@ void Lifts::judge(Time now)
   const std::size_t b = index(block);
   const double raised = raised_m(block, measured_m_);
   if (raised > kOffGround) {
-    standing_[b] = false;
+    blocks_.standing[b] = false;
   }
-  locked_[b] = locked_[b] && motion_.kind == MotionKind::kLift;
-  double behind_m = 0.0;
-  for (std::size_t i = 0; i < kPair; ++i) {
-    behind_m = std::max(behind_m, std::abs(goals_m_[i] - measured_m_[i]));
-  }
+  blocks_.locked[b] = blocks_.locked[b] && motion_.kind == MotionKind::kLift;
   const bool still = now - progress_at_ >= kStillFor;
-  const bool stopped = still && behind_m >= (motion_.held ? kHeldBehind : kStuckBehind);
+  const bool stopped = still && behind_m() >= (motion_.held ? kHeldBehind : kStuckBehind);
   if (motion_.kind == MotionKind::kLift) {
     const bool near = raised >= config_.stroke_m - kLockMargin;
     if (raised >= config_.stroke_m - kArrived || (stopped && near)) {
-      locked_[b] = true;
+      blocks_.locked[b] = true;
       end(false);
     } else if (stopped) {
       end(true);
     }
   } else if (stopped) {
-    standing_[b] = true;
+    blocks_.standing[b] = true;
     end(false);
   } else if (still && raised < 0.0 && !motion_.held) {
     end(true);
   }
+}
+
+// On the way that is under way: a lift that droops under its block is ahead of its goal.
+double Lifts::behind_m() const
+{
+  const LiftExtensions sense = sense_of(motion_.block);
+  const double way = motion_.kind == MotionKind::kLift ? 1.0 : -1.0;
+  double most_m = 0.0;
+  for (std::size_t i = 0; i < kPair; ++i) {
+    most_m = std::max(most_m, way * sense[i] * (goals_m_[i] - measured_m_[i]));
+  }
+  return most_m;
 }
 
 void Lifts::end(bool jammed)
@@ -245,9 +291,9 @@ std::array<BlockReading, kBlocks> Lifts::readings() const
       reading.target_m = std::max(0.0, heights[b] - config_.stroke_m);
     }
     reading.moving = moving;
-    reading.at_lower_lock = standing_[b];
-    reading.at_upper_lock = locked_[b] && !standing_[b];
-    reading.load = standing_[b] ? std::numeric_limits<double>::quiet_NaN() : 0.0;
+    reading.at_lower_lock = blocks_.standing[b];
+    reading.at_upper_lock = blocks_.locked[b] && !blocks_.standing[b];
+    reading.load = blocks_.standing[b] ? std::numeric_limits<double>::quiet_NaN() : 0.0;
     reading.fault = jammed_[b];
   }
   return readings;

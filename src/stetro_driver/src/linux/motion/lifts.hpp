@@ -17,6 +17,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 
 #include "linux/motion/chassis_config.hpp"
 #include "stetro_driver/joint_command.hpp"
@@ -32,6 +33,15 @@ using LiftExtensions = std::array<double, kPair>;
 /// Undersides above the lowest of them, from extensions; needs no history.
 [[nodiscard]] std::array<double, kBlocks> block_heights_m(const LiftExtensions & extensions_m);
 
+/// What is known of the blocks that no servo can tell: it must outlive a restart.
+struct BlocksKnown
+{
+  LiftExtensions extensions_m{};                     // when it was last looked
+  std::array<bool, kBlocks> standing{};              // on the ground
+  std::array<bool, kBlocks> locked{};                // at the upper lock
+  std::array<LiftExtensions, kBlocks> stood_at_m{};  // extensions when the block last stood
+};
+
 /// The lift of one block, by the two lifts there are.
 /**
  * Lifts sit in block 2. Block 1 is moved by the front one, block 3 by the rear one, and block 2 by
@@ -45,18 +55,30 @@ using LiftExtensions = std::array<double, kPair>;
  *   lowering  --(below where it stood, or the servo's end)----->  jammed, over nothing
  *
  * Servos do not feel the ground: a block stands when its lift was going down and has stood still
- * behind its goal for a while. At the start all blocks are taken to stand. A load cannot be told
- * from that and is NaN, unknown, but for a block in the air.
+ * above its goal for a while. A load cannot be told from that and is NaN, unknown, but for a block
+ * in the air.
+ *
+ * After a start or a loss, what stood stands if no block that stood has moved against another.
+ * Else, and when nothing is known, the lowest blocks stand and those above them do not: lowering
+ * one finds out.
  */
 class Lifts
 {
 public:
-  explicit Lifts(const LiftsConfig & config) : config_(config) {}
+  /// \param known of a program before this one
+  explicit Lifts(const LiftsConfig & config, const std::optional<BlocksKnown> & known = {});
 
   /// What the servos say. The first time, and again after restart(), goals are where they are.
   void measure(Time now, const std::array<double, kPair> & servos_rad);
-  /// Goals begin again where the lifts are, and nothing is under way. What stood stands.
+  /// Goals begin again where the lifts are, and nothing is under way.
   void restart();
+  /// What jammed is tried again: a person has looked at it.
+  void forgive() { jammed_ = {}; }
+  /// For the next program. Nothing: nothing was measured yet.
+  [[nodiscard]] std::optional<BlocksKnown> known() const
+  {
+    return known_ ? std::optional<BlocksKnown>{blocks_} : std::nullopt;
+  }
 
   /// Lifts or lowers a block until that is done; the same again goes on with it.
   void start(MotionKind kind, int block);
@@ -71,7 +93,6 @@ public:
   void advance(Time now, double dt_s);
 
   [[nodiscard]] std::array<double, kPair> servo_goals_rad() const;
-  [[nodiscard]] const LiftExtensions & extensions_m() const { return measured_m_; }
   [[nodiscard]] std::array<BlockReading, kBlocks> readings() const;
 
 private:
@@ -85,6 +106,9 @@ private:
   };
 
   [[nodiscard]] bool under_way() const { return motion_.block != 0 && !motion_.done; }
+  void take_stock();
+  [[nodiscard]] bool stands_as_before() const;
+  [[nodiscard]] double behind_m() const;
   [[nodiscard]] double raised_m(int block, const LiftExtensions & extensions_m) const;
   void move_goals(double way_m);
   void watch_progress(Time now);
@@ -92,13 +116,12 @@ private:
   void end(bool jammed);
 
   LiftsConfig config_;
+  bool begun_ = false;  // goals are where it was measured
   bool known_ = false;
+  BlocksKnown blocks_{};
   LiftExtensions measured_m_{};
   LiftExtensions goals_m_{};
   Motion motion_{};
-  std::array<LiftExtensions, kBlocks> stood_at_m_{};  // extensions when the block last stood
-  std::array<bool, kBlocks> standing_{true, true, true};
-  std::array<bool, kBlocks> locked_{};  // by something that stopped it near the stroke
   std::array<bool, kBlocks> jammed_{};
   LiftExtensions progress_m_{};  // where the lifts were when they last moved
   Time progress_at_{0};
