@@ -161,25 +161,30 @@ void CommandGate::latch_emergency_stop()
 void CommandGate::reset_emergency_stop()
 {
   emergency_stop_ = false;
-  stopper_.reset();
+  stoppers_.clear();
   reset_asked_ = false;
 }
 
 void CommandGate::listen_for_reset(const CommandRequest & request, const GateSituation & situation)
 {
-  if (!emergency_stop_ && !situation.emergency_stop) {
+  const bool latched = emergency_stop_ || situation.emergency_stop;
+  if (!latched && !situation.fault && !situation.refused_power) {
     return;
   }
+  const auto mine = std::find_if(stoppers_.begin(), stoppers_.end(), [&](const Expiry & stopper) {
+    return stopper.issuer_instance == request.issuer_instance && stopper.issuer == request.issuer;
+  });
   if (request.motion.kind == MotionKind::kStop) {
-    stopper_ = Expiry{request.issuer, request.issuer_instance, request.sequence_number};
-    return;
-  }
-  const bool same = stopper_ && stopper_->issuer == request.issuer &&
-                    stopper_->issuer_instance == request.issuer_instance &&
-                    stopper_->sequence_number < request.sequence_number;
-  if (same) {
+    if (mine != stoppers_.end()) {
+      stoppers_.erase(mine);
+    }
+    stoppers_.push_back({request.issuer, request.issuer_instance, request.sequence_number});
+    if (stoppers_.size() > kIssuersRemembered) {
+      stoppers_.pop_front();
+    }
+  } else if (mine != stoppers_.end() && mine->sequence_number < request.sequence_number) {
     reset_asked_ = request.motion.kind == MotionKind::kHold && !situation.emergency_stop_pressed;
-    stopper_.reset();
+    stoppers_.erase(mine);
   }
 }
 

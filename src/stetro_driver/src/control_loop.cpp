@@ -181,6 +181,7 @@ void ControlLoop::tell(std::optional<LoopFault> fault)
   if (!same(fault, told_)) {
     told_ = std::move(fault);
     faults_.put(told_);
+    service_.status(told_ ? "holds: " + told_->fault.detail : "well");
   }
 }
 

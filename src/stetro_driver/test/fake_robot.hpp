@@ -29,7 +29,11 @@ class FakeRobot : public HardwareInterface
 {
 public:
   void configure() override {}
-  void activate() override { ++activations; }
+  void activate() override
+  {
+    ++activations;
+    broken = false;
+  }
   void deactivate() override {}
   void reset_emergency_stop() override {}
   Result<SensorFrame> read(Time now) override
@@ -40,6 +44,7 @@ public:
     SensorFrame frame;
     frame.time = now;
     frame.ranges_complete = ++reads % 3 == 0;
+    frame.blocks[0].fault = broken;
     return frame;
   }
   std::optional<IoFault> write(const JointCommand & command) override
@@ -52,6 +57,7 @@ public:
 
   std::function<void()> on_read;
   std::optional<IoFault> fault;
+  std::atomic<bool> broken{false};  // a block, until it is activated again
   std::atomic<int> reads{0};
   std::atomic<int> writes{0};
   std::atomic<double> vx_m_s{0.0};

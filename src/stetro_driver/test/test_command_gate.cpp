@@ -285,6 +285,46 @@ TEST_F(CommandGateTest, AStopThenAHoldOfOneInstanceAskForTheReset)
   EXPECT_FALSE(of(MotionKind::kHold, 10, 7)) << "it was too early, it takes another STOP";
 }
 
+// A supervisor that is in its fault state goes on sending STOP.
+TEST_F(CommandGateTest, AnotherOnesStopDoesNotUndoTheFirst)
+{
+  gate_.latch_emergency_stop();
+  const auto send = [&](MotionKind kind, std::uint64_t number, std::uint64_t instance) {
+    CommandRequest request = roll(number, 0);
+    request.issuer_instance = instance;
+    request.motion = JointCommand{kind};
+    offer(request, 0);
+  };
+  send(MotionKind::kStop, 1, 7);
+  send(MotionKind::kStop, 1, 8);
+  send(MotionKind::kHold, 2, 7);
+  EXPECT_TRUE(gate_.take_reset_request());
+}
+
+TEST_F(CommandGateTest, HardwareThatNeedsAPersonIsResetTheSameWay)
+{
+  const auto asks_with = [&](GateSituation situation, std::uint64_t number) {
+    situation_ = situation;
+    CommandRequest request = roll(number, 0);
+    for (const MotionKind kind : {MotionKind::kStop, MotionKind::kHold}) {
+      request.sequence_number = ++number;
+      request.motion = JointCommand{kind};
+      offer(request, 0);
+    }
+    return gate_.take_reset_request();
+  };
+  const GateSituation well = situation_;
+  EXPECT_FALSE(asks_with(well, 10)) << "there is nothing to reset";
+  GateSituation broken = well;
+  broken.fault = true;
+  EXPECT_TRUE(asks_with(broken, 20));
+  GateSituation dark = well;
+  dark.active = false;
+  EXPECT_FALSE(asks_with(dark, 30)) << "nobody wanted it to have power";
+  dark.refused_power = true;
+  EXPECT_TRUE(asks_with(dark, 40));
+}
+
 TEST_F(CommandGateTest, AnEmergencyStopIsTheReasonAlsoWithoutPower)
 {
   situation_.active = false;

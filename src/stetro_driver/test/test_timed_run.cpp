@@ -65,13 +65,18 @@ protected:
   void roll_forward()
   {
     Command message;
+    message.vx(0.1);
+    send(message, test::command::KIND_TWIST);
+  }
+
+  void send(Command message, std::uint8_t kind)
+  {
     message.header().stamp(stetro_dds::stamp_of(observer_.clock().now()));
     message.sequence_number(++sequence_);
     message.issuer("supervisor");
     message.issuer_instance(7);
     message.valid_for().nanosec(150'000'000);
-    message.kind(test::command::KIND_TWIST);
-    message.vx(0.1);
+    message.kind(kind);
     command_->publish(message);
   }
 
@@ -108,6 +113,21 @@ TEST_F(TimedRunTest, SaysWhenTheHardwareGivesUp)
   EXPECT_TRUE(run_until([this] { return answers_.size() > 1; }));
   EXPECT_EQ(answers_[1].outcome(), status::OUTCOME_REFUSED);
   EXPECT_EQ(answers_[1].reason(), status::REASON_FAULT);
+}
+
+TEST_F(TimedRunTest, TakesAndGivesPowerWhenAPersonResetsAFault)
+{
+  robot_->broken = true;
+  std::size_t asked = 0;
+  EXPECT_TRUE(run_until([&] {
+    if (received_["ranges"] > 0 && asked == answers_.size() && asked < 2) {
+      send({}, ++asked == 1 ? test::command::KIND_STOP : test::command::KIND_HOLD);
+    }
+    return !robot_->broken;
+  }));
+  EXPECT_EQ(robot_->activations, 2);
+  ASSERT_GE(answers_.size(), 1u);
+  EXPECT_EQ(answers_[0].reason(), status::REASON_FAULT) << "nothing acts meanwhile";
 }
 
 TEST_F(TimedRunTest, MakesARobotSafeWhoseLoopIsSilent)

@@ -166,7 +166,8 @@ std::string Mission::refuse_clear() const
   }
   for (int number = 1; number <= 3; ++number) {
     if (s.block(number).fault) {
-      return "block " + std::to_string(number) + " is still broken";
+      return "block " + std::to_string(number) +
+             " is still broken, accepted: after 'stetro_jog reset' has mended it";
     }
   }
   return "";

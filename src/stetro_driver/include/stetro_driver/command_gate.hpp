@@ -92,6 +92,7 @@ struct GateSituation
   bool emergency_stop = false;          ///< latched
   bool emergency_stop_pressed = false;  ///< its button is down
   bool fault = false;                   ///< the hardware has a fault
+  bool refused_power = false;           ///< it should have power, and could not be given it
   double steering_rad = 0.0;
   bool steering_moving = false;
   std::array<bool, 3> standing{true, true, true};  ///< blocks 1, 2, 3 carry weight
@@ -148,9 +149,10 @@ struct GateCounters
  * that the robot stands at most `max_valid_for` after the last valid command was issued. The next
  * valid command heals. Pure: it reads no clock. One thread.
  *
- * While the emergency stop is latched everything is refused, and yet listened to: an issuer in a
- * fault asks to STOP, and to HOLD as soon as a person has cleared the fault. A STOP and then a HOLD
- * of the same instance, the button released, ask for the reset.
+ * While the emergency stop is latched, the hardware has a fault or was refused its power, nothing
+ * acts, and yet it is listened to: an issuer in a fault asks to STOP, and to HOLD as soon as a
+ * person has cleared the fault. A STOP and then a HOLD of the same instance, the button released,
+ * ask for the reset.
  */
 class CommandGate
 {
@@ -209,7 +211,7 @@ private:
   GateClocks last_advance_{};
   bool clock_seen_ = false;
   bool emergency_stop_ = false;
-  std::optional<Expiry> stopper_;  ///< whose STOP came since the emergency stop was latched
+  std::deque<Expiry> stoppers_;  ///< who may ask for the reset next
   bool reset_asked_ = false;
   GateCounters counters_{};
 };

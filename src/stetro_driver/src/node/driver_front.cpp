@@ -106,9 +106,18 @@ std::optional<stetro_dds::Refusal> DriverFront::take(const CommandRequest & requ
     accepted_(request);
   }
   if (desk_.gate().take_reset_request()) {
-    reset_emergency_stop(request.issuer);
+    const bool latched = frame_.emergency_stop_latched || desk_.gate().emergency_stop_latched();
+    latched ? reset_emergency_stop(request.issuer) : reset_fault(request.issuer);
   }
   return refusal;
+}
+
+/// Servos forget what they latched, and blocks what stopped them, when they are given power.
+void DriverFront::reset_fault(const std::string & asked_by)
+{
+  node_.log().info("'{}' resets the hardware's fault", asked_by);
+  rearm();
+  activate_if_told();
 }
 
 void DriverFront::reset_emergency_stop(const std::string & asked_by)
@@ -141,6 +150,7 @@ GateSituation DriverFront::situation(const GateClocks & clocks) const
   GateSituation situation;
   situation.active = active() && clocks.now >= may_act_from_;
   situation.emergency_stop = frame_.emergency_stop_latched;
+  situation.refused_power = start_active_ && !active();
   situation.emergency_stop_pressed = frame_.contact(ContactPlace::kEmergencyStop).closed;
   situation.steering_rad = frame_.steering.angle_rad;
   situation.steering_moving = frame_.steering.moving;

@@ -81,6 +81,7 @@ public:
 private:
   std::optional<stetro_dds::Refusal> take(const CommandRequest & request);
   void reset_emergency_stop(const std::string & asked_by);
+  void reset_fault(const std::string & asked_by);
   void activate_if_told();
   [[nodiscard]] GateSituation situation(const GateClocks & clocks) const;
   void give_life();
