@@ -244,7 +244,10 @@ void observe_pose(
   pose.segment_id = segment_id;
   pose.on_flight = true;
   pose.step = estimate.step.value_or(-1);
+  pose.x_m = estimate.pose.x_m;
+  pose.tread_x_m = estimate.tread_x_m;
   pose.y_m = estimate.pose.y_m;
+  pose.protection_along_m = estimate.protection_along_m;
   pose.heading_rad = finite ? estimate.pose.yaw_rad : stetro_supervisor::kNan;
   pose.integrity = integrity_seen(estimate.integrity);
   pose.reasons = estimate.reasons;

@@ -63,6 +63,9 @@ struct ClimbGeometry
 
   int steps() const { return static_cast<int>(riser_m.size()); }
 
+  /// Depth of tread `step`, 1..N [m].
+  double tread(int step) const { return tread_m.at(static_cast<std::size_t>(step - 1)); }
+
   /// Height of riser `step`, 1..N [m].
   double riser(int step) const { return riser_m.at(static_cast<std::size_t>(step - 1)); }
 

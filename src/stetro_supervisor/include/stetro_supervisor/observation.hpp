@@ -112,9 +112,11 @@ struct StairPose
   double y_m = kNan;          ///< of base_link; on a flight its distance from the right wall [m]
   double heading_rad = kNan;  ///< psi, CCW positive, 0 faces the risers (D1-6)
   Integrity integrity = Integrity::kUnknown;
-  std::uint32_t reasons = 0;  ///< why integrity is not OK: a sum of PoseReason
-  std::uint32_t resets = 0;   ///< jumps of the estimate so far
-  double x_m = kNan;          ///< of base_link [m]
+  std::uint32_t reasons = 0;         ///< why integrity is not OK: a sum of PoseReason
+  std::uint32_t resets = 0;          ///< jumps of the estimate so far
+  double x_m = kNan;                 ///< of base_link [m]
+  double tread_x_m = kNan;           ///< of base_link, from the foot of its tread's own riser [m]
+  double protection_along_m = kNan;  ///< level of the error of x on the tread [m]
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of (x, y, heading)
 };
 

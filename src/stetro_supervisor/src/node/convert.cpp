@@ -252,6 +252,8 @@ std::optional<Refusal> take(
   stair.on_flight = message.segment_kind() == wire::SEGMENT_FLIGHT;
   stair.step = message.step_index();
   stair.x_m = pose.position().x();
+  stair.tread_x_m = message.tread_x();
+  stair.protection_along_m = message.protection_along();
   stair.y_m = pose.position().y();
   stair.covariance = planar(message.pose());
   stair.heading_rad = finite ? yaw_of(pose.orientation()) : kNan;
