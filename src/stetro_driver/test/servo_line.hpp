@@ -15,13 +15,9 @@
 #ifndef SERVO_LINE_HPP_
 #define SERVO_LINE_HPP_
 
-#include <chrono>
-#include <cstddef>
-#include <filesystem>
-#include <iterator>
 #include <string>
-#include <thread>
 
+#include "device_bench.hpp"
 #include "emulator/herkulex_emulator.hpp"
 #include "linux/motion/chassis_config.hpp"
 #include "pty_name.hpp"
@@ -44,27 +40,6 @@ inline emulator::HerkulexLine fast_line(const std::string & name)
 inline linux_io::HerkulexBusConfig bus_config(const emulator::HerkulexLine & line)
 {
   return {{line.link, line.baud}, kPatienceS};
-}
-
-/// Looks again and again until it holds. \return whether it did before the deadline
-template <class Condition>
-bool holds_within(std::chrono::milliseconds limit, Condition && holds)
-{
-  const auto deadline = std::chrono::steady_clock::now() + limit;
-  while (!holds()) {
-    if (std::chrono::steady_clock::now() > deadline) {
-      return false;
-    }
-    std::this_thread::sleep_for(std::chrono::milliseconds{1});
-  }
-  return true;
-}
-
-/// Entries of a directory of /proc/self: "fd" or "task".
-inline std::ptrdiff_t count_of(const std::string & what)
-{
-  const std::filesystem::directory_iterator entries{"/proc/self/" + what};
-  return std::distance(begin(entries), end(entries));
 }
 
 }  // namespace stetro_driver::test

@@ -18,13 +18,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstddef>
-#include <filesystem>
 #include <functional>
-#include <iterator>
 #include <memory>
 #include <string>
 
+#include "device_bench.hpp"
 #include "hardware_bench.hpp"
 
 namespace stetro_driver
@@ -84,12 +82,6 @@ std::vector<Trouble> troubles()
   };
 }
 
-std::ptrdiff_t entries_of(const char * what)
-{
-  const std::filesystem::directory_iterator entries{std::string("/proc/self/") + what};
-  return std::distance(begin(entries), end(entries));
-}
-
 class InMidClimb : public ::testing::TestWithParam<Trouble>
 {
 protected:
@@ -123,8 +115,7 @@ TEST_P(InMidClimb, HoldsSaysWhyAndGoesOnTwice)
   const Trouble & trouble = GetParam();
   const double floor_m = height_m();
   ASSERT_TRUE(lift(4.0, [&] { return height_m() > floor_m + 0.02; }));
-  const std::ptrdiff_t files = entries_of("fd");
-  const std::ptrdiff_t threads = entries_of("task");
+  const OpenResources before;
   for (int time = 1; time <= 2; ++time) {
     SCOPED_TRACE(time);
     trouble.strike(*devices_);
@@ -145,8 +136,7 @@ TEST_P(InMidClimb, HoldsSaysWhyAndGoesOnTwice)
       << bench_->refused()->detail;
     ASSERT_TRUE(lift(3.0, [&] { return height_m() > held_m + 0.02; })) << "it goes on";
   }
-  EXPECT_EQ(entries_of("fd"), files);
-  EXPECT_EQ(entries_of("task"), threads);
+  EXPECT_TRUE(OpenResources{} == before);
   EXPECT_FALSE(bench_->truth().fallen);
 }
 
@@ -220,15 +210,13 @@ TEST(EmulatedRobot, StandsWhenItsServoLineIsCutWhileItRolls)
 
 TEST(EmulatedRobot, LeavesNothingBehind)
 {
-  const std::ptrdiff_t files = entries_of("fd");
-  const std::ptrdiff_t threads = entries_of("task");
+  const OpenResources before;
   for (int i = 0; i < 2; ++i) {
     auto robot = test::emulated_robot(test::perfect(), test::patient(test::shipped_devices()));
     robot->configure();
     robot->activate();
   }
-  EXPECT_EQ(entries_of("fd"), files);
-  EXPECT_EQ(entries_of("task"), threads);
+  EXPECT_TRUE(OpenResources{} == before);
 }
 
 }  // namespace

@@ -18,10 +18,10 @@
 
 #include <array>
 #include <chrono>
-#include <filesystem>
 #include <string>
 #include <vector>
 
+#include "device_bench.hpp"
 #include "emulator/pty.hpp"
 #include "linux/serial_port.hpp"
 #include "pty_name.hpp"
@@ -150,17 +150,13 @@ TEST(SerialPort, NamesDeviceAndPathOfWhatItCannotUse)
 TEST(SerialPort, LeavesNoFileOpen)
 {
   Pty pty{test::pty_name("files")};
-  const auto open_files = [] {
-    const std::filesystem::directory_iterator files{"/proc/self/fd"};
-    return std::distance(begin(files), end(files));
-  };
-  const auto before = open_files();
+  const OpenResources before;
   for (int i = 0; i < 3; ++i) {
     const SerialPort port{"bus", {pty.link(), 115'200}};
     EXPECT_THROW((SerialPort{"other", {pty.link(), 115'200}}), HardwareError);
     EXPECT_THROW((SerialPort{"bus", {"/dev/null", 115'200}}), HardwareError);
   }
-  EXPECT_EQ(open_files(), before);
+  EXPECT_TRUE(OpenResources{} == before);
 }
 
 TEST(SerialPort, ForgetsWhatWasReceived)

@@ -17,10 +17,10 @@
 #include <unistd.h>
 
 #include <array>
-#include <filesystem>
 #include <stdexcept>
 #include <string>
 
+#include "device_bench.hpp"
 #include "linux/service_notify.hpp"
 
 namespace stetro_driver::linux_io
@@ -79,17 +79,16 @@ TEST(ServiceNotify, SpeaksToAnAbstractSocket)
 
 TEST(ServiceNotify, SpeaksToASocketWithAPath)
 {
-  std::string directory = (std::filesystem::temp_directory_path() / "stetro_XXXXXX").string();
-  ASSERT_NE(mkdtemp(directory.data()), nullptr);
+  const TempDirectory directory;
+  const std::string name = directory.path() / "notify";
   {
-    Manager manager(directory + "/notify");
-    ServiceNotify notify(directory + "/notify");
+    Manager manager(name);
+    ServiceNotify notify(name);
     EXPECT_TRUE(notify.ready());
     EXPECT_EQ(manager.heard(), "READY=1");
   }
-  ServiceNotify late(directory + "/notify");
+  ServiceNotify late(name);
   EXPECT_FALSE(late.ready()) << "nobody listens any more, and that is no reason to wait";
-  std::filesystem::remove_all(directory);
 }
 
 TEST(ServiceNotify, AStatusCannotSayAnythingElse)

@@ -34,7 +34,6 @@ using emulator::HerkulexFaults;
 using namespace std::chrono_literals;
 
 constexpr int kSamplePeriods = 3;  // in which a fault has to show
-constexpr auto kSoon = 20000ms;    // a limit that a recovery is far from
 
 const std::vector<ServoPlace> kPlaces{
   {"wheel", 1, {ServoMode::kVelocity, 0x35, 0, true}},
@@ -97,7 +96,7 @@ bool is_one_of(IoFaultKind kind, const std::vector<IoFaultKind> & kinds)
 // Asks once a period until all is well; the emulated servos need the processor in between.
 bool recovers(ServoBank & bank)
 {
-  return test::holds_within(kSoon, [&] { return !bank.cycle(); });
+  return eventually([&] { return !bank.cycle(); });
 }
 
 class ServoBankIn : public testing::TestWithParam<std::size_t>
@@ -113,8 +112,7 @@ protected:
 
 TEST_P(ServoBankIn, TroubleAtTheStartIsNamedAndTheNextStartSucceeds)
 {
-  const auto files = test::count_of("fd");
-  const auto threads = test::count_of("task");
+  const OpenResources before;
   ServoBank bank{test::bus_config(line), kPlaces, clock};
   for (int i = 0; i < 2; ++i) {
     trouble.begin(servos);
@@ -125,22 +123,19 @@ TEST_P(ServoBankIn, TroubleAtTheStartIsNamedAndTheNextStartSucceeds)
       EXPECT_NE(std::string(error.what()).find("accepted:"), std::string::npos) << error.what();
     }
     trouble.end(servos);
-    ASSERT_TRUE(test::holds_within(
-      kSoon,
-      [&] {
-        try {
-          bank.open();
-          return true;
-        } catch (const HardwareError &) {
-          return false;  // replies that are late, or were, are still under way
-        }
-      }))
+    ASSERT_TRUE(eventually([&] {
+      try {
+        bank.open();
+        return true;
+      } catch (const HardwareError &) {
+        return false;  // replies that are late, or were, are still under way
+      }
+    }))
       << trouble.name;
     EXPECT_FALSE(bank.cycle()) << trouble.name;
     bank.bus().close();
   }
-  EXPECT_EQ(test::count_of("fd"), files) << trouble.name;
-  EXPECT_EQ(test::count_of("task"), threads) << trouble.name;
+  EXPECT_TRUE(OpenResources{} == before) << trouble.name;
 }
 
 TEST_P(ServoBankIn, TroubleInTheMiddleIsATypedFaultAndEnds)
@@ -148,8 +143,7 @@ TEST_P(ServoBankIn, TroubleInTheMiddleIsATypedFaultAndEnds)
   ServoBank bank{test::bus_config(line), kPlaces, clock};
   bank.open();
   ASSERT_FALSE(bank.set_torque(Torque::kOn, true));
-  const auto files = test::count_of("fd");
-  const auto threads = test::count_of("task");
+  const OpenResources before;
   for (int i = 0; i < 2; ++i) {
     ASSERT_TRUE(recovers(bank)) << trouble.name;
     trouble.begin(servos);
@@ -171,8 +165,7 @@ TEST_P(ServoBankIn, TroubleInTheMiddleIsATypedFaultAndEnds)
       EXPECT_EQ(torque, Torque::kOn) << trouble.name << ", servo " << int{id};
     }
   }
-  EXPECT_EQ(test::count_of("fd"), files) << trouble.name;
-  EXPECT_EQ(test::count_of("task"), threads) << trouble.name;
+  EXPECT_TRUE(OpenResources{} == before) << trouble.name;
 }
 
 INSTANTIATE_TEST_SUITE_P(
