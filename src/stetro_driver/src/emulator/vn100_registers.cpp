@@ -22,6 +22,7 @@
 #include <vector>
 
 #include "linux/imu/vn100_binary.hpp"
+#include "linux/imu/vn100_codes.hpp"
 
 namespace stetro_driver::emulator
 {
@@ -31,17 +32,8 @@ namespace
 using linux_io::AsciiChecksum;
 using linux_io::AsciiSentence;
 using linux_io::whole_of;
-
-constexpr unsigned kYmr = 14;
-constexpr double kImuRate = 800.0;
-
-// Error codes of UM001.
-constexpr unsigned kWrongChecksum = 3;
-constexpr unsigned kUnknownCommand = 4;
-constexpr unsigned kTooFew = 5;
-constexpr unsigned kOutOfRange = 7;
-constexpr unsigned kUnknownRegister = 8;
-constexpr unsigned kNotAccessible = 9;
+namespace error = linux_io::vn100_error;
+namespace reg = linux_io::vn100_register;
 
 std::string refusal(unsigned code)
 {
@@ -60,7 +52,8 @@ std::vector<std::string> split(const std::string & fields)
   return parts;
 }
 
-bool is_one_of(const std::string & field, std::initializer_list<unsigned> accepted, int base = 10)
+template <class Accepted = std::initializer_list<unsigned>>
+bool is_one_of(const std::string & field, const Accepted & accepted, int base = 10)
 {
   const auto value = whole_of(field, base);
   return value && std::find(accepted.begin(), accepted.end(), *value) != accepted.end();
@@ -70,16 +63,16 @@ bool is_one_of(const std::string & field, std::initializer_list<unsigned> accept
 bool accepts(unsigned number, const std::vector<std::string> & fields)
 {
   switch (number) {
-    case 5:
+    case reg::kBaud:
       return is_one_of(
         fields[0], {9600, 19200, 38400, 57600, 115200, 128000, 230400, 460800, 921600});
-    case 6:
-      return is_one_of(fields[0], {0, kYmr});
-    case 7:
-      return is_one_of(fields[0], {1, 2, 4, 5, 10, 20, 25, 40, 50, 100, 200});
-    case 30:
+    case reg::kAsciiType:
+      return is_one_of(fields[0], {0, linux_io::kVn100Ymr});
+    case reg::kAsciiRate:
+      return is_one_of(fields[0], linux_io::kVn100AsciiRates);
+    case reg::kProtocol:
       return fields.size() == 7 && is_one_of(fields[4], {1, 3});
-    default:  // 75
+    default:  // kBinary
       return fields.size() == 4 && is_one_of(fields[0], {0, 1, 2, 3}) &&
              whole_of(fields[1]).value_or(0) > 0 && is_one_of(fields[2], {1}, 16) &&
              is_one_of(fields[3], {linux_io::kVn100Fields}, 16);
@@ -90,8 +83,14 @@ bool accepts(unsigned number, const std::vector<std::string> & fields)
 
 Vn100Registers::Vn100Registers(
   const std::string & model, const std::string & serial_number, std::uint32_t baud)
-: registers_{{1, model}, {3, serial_number},    {5, std::to_string(baud)}, {6, "14"},
-             {7, "40"},  {30, "0,0,0,0,1,0,1"}, {75, "0,8,01,0131"}}
+: registers_{
+    {reg::kModel, model},
+    {reg::kSerialNumber, serial_number},
+    {reg::kBaud, std::to_string(baud)},
+    {reg::kAsciiType, "14"},
+    {reg::kAsciiRate, "40"},
+    {reg::kProtocol, "0,0,0,0,1,0,1"},
+    {reg::kBinary, "0,8,01,0131"}}
 {
 }
 
@@ -108,27 +107,27 @@ std::string Vn100Registers::answer(const std::string & line)
     command = linux_io::parse_ascii(bytes, whole.size());
   }
   const AsciiChecksum before = checksum();
-  return linux_io::to_ascii(command ? obey(*command) : refusal(kWrongChecksum), before);
+  return linux_io::to_ascii(command ? obey(*command) : refusal(error::kWrongChecksum), before);
 }
 
 std::string Vn100Registers::obey(const AsciiSentence & command)
 {
   if (command.count == 0) {
-    return refusal(kTooFew);
+    return refusal(error::kTooFew);
   }
   const auto number = whole_of(command.fields[0]);
   if (command.type == "ASY") {
     if (!number || *number > 1) {
-      return refusal(kOutOfRange);
+      return refusal(error::kOutOfRange);
     }
     sending_ = *number == 1;
     return "VNASY," + std::to_string(*number);
   }
   if (command.type != "RRG" && command.type != "WRG") {
-    return refusal(kUnknownCommand);
+    return refusal(error::kUnknownCommand);
   }
   if (!number || registers_.count(*number) == 0) {
-    return refusal(kUnknownRegister);
+    return refusal(error::kUnknownRegister);
   }
   if (command.type == "WRG") {
     const std::string refused = write(*number, command);
@@ -143,18 +142,18 @@ std::string Vn100Registers::obey(const AsciiSentence & command)
 
 std::string Vn100Registers::write(unsigned number, const AsciiSentence & command)
 {
-  if (number == 1 || number == 3) {
-    return refusal(kNotAccessible);
+  if (number == reg::kModel || number == reg::kSerialNumber) {
+    return refusal(error::kNotAccessible);
   }
   if (command.count < 2) {
-    return refusal(kTooFew);
+    return refusal(error::kTooFew);
   }
   std::string fields;
   for (std::size_t i = 1; i < command.count; ++i) {
     fields += (i == 1 ? "" : ",") + std::string(command.fields[i]);
   }
   if (!accepts(number, split(fields))) {
-    return refusal(kOutOfRange);
+    return refusal(error::kOutOfRange);
   }
   registers_[number] = fields;
   return "";
@@ -167,19 +166,22 @@ unsigned Vn100Registers::field(unsigned number, std::size_t which) const
 
 double Vn100Registers::ascii_rate_hz() const
 {
-  return sending_ && field(6, 0) == kYmr ? field(7, 0) : 0.0;
+  return sending_ && field(reg::kAsciiType, 0) == linux_io::kVn100Ymr ? field(reg::kAsciiRate, 0)
+                                                                      : 0.0;
 }
 
 double Vn100Registers::binary_rate_hz() const
 {
-  return sending_ && field(75, 0) != 0 ? kImuRate / field(75, 1) : 0.0;
+  return sending_ && field(reg::kBinary, 0) != 0
+           ? static_cast<double>(linux_io::kVn100ImuRate) / field(reg::kBinary, 1)
+           : 0.0;
 }
 
-std::uint32_t Vn100Registers::baud() const { return field(5, 0); }
+std::uint32_t Vn100Registers::baud() const { return field(reg::kBaud, 0); }
 
 AsciiChecksum Vn100Registers::checksum() const
 {
-  return field(30, 4) == 3 ? AsciiChecksum::kCrc16 : AsciiChecksum::kXor8;
+  return field(reg::kProtocol, 4) == 3 ? AsciiChecksum::kCrc16 : AsciiChecksum::kXor8;
 }
 
 }  // namespace stetro_driver::emulator

@@ -15,19 +15,17 @@
 #include "linux/imu/vn100_config.hpp"
 
 #include <algorithm>
-#include <array>
 
 #include "linux/imu/vn100_binary.hpp"
+#include "linux/imu/vn100_codes.hpp"
 
 namespace stetro_driver::linux_io
 {
 namespace
 {
 
-constexpr std::int64_t kImuRate = 800;  // of the sensor itself; binary output divides it
 constexpr std::size_t kYmrBytes = 122;  // a line with its CR LF
 constexpr double kFullestLine = 0.9;    // room for answers
-constexpr std::array<std::int64_t, 11> kAsciiRates{1, 2, 4, 5, 10, 20, 25, 40, 50, 100, 200};
 
 bool is_binary(const Vn100Config & config) { return config.output == "binary"; }
 
@@ -36,12 +34,12 @@ bool is_binary(const Vn100Config & config) { return config.output == "binary"; }
 void check(const Vn100Config & config, stetro_config::Faults & faults)
 {
   const std::int64_t rate_hz = config.rate_hz;
-  if (is_binary(config) && kImuRate % rate_hz != 0) {
+  if (is_binary(config) && kVn100ImuRate % rate_hz != 0) {
     faults.refuse("rate_hz", std::to_string(rate_hz), "with output binary: what divides 800");
   }
   if (
-    !is_binary(config) &&
-    std::find(kAsciiRates.begin(), kAsciiRates.end(), rate_hz) == kAsciiRates.end()) {
+    !is_binary(config) && std::find(kVn100AsciiRates.begin(), kVn100AsciiRates.end(), rate_hz) ==
+                            kVn100AsciiRates.end()) {
     faults.refuse(
       "rate_hz", std::to_string(rate_hz),
       "with output ascii: 1, 2, 4, 5, 10, 20, 25, 40, 50, 100, 200");

@@ -17,20 +17,14 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "linux/imu/vn100_codes.hpp"
+
 namespace stetro_driver::linux_io
 {
 namespace
 {
 
 constexpr char kDevice[] = "VN-100";
-constexpr unsigned kModelRegister = 1;
-constexpr unsigned kSerialNumberRegister = 3;
-constexpr unsigned kAsciiTypeRegister = 6;
-constexpr unsigned kAsciiRateRegister = 7;
-constexpr unsigned kBinaryRegister = 75;
-constexpr unsigned kYmr = 14;
-constexpr unsigned kWrongChecksum = 3;
-constexpr std::int64_t kImuRate = 800;
 // As the maker's library: a command is sent again after 200 ms.
 constexpr int kTries = 3;
 constexpr Time kAnswerTime = std::chrono::milliseconds{200};
@@ -39,27 +33,27 @@ constexpr Time kWriteTime = std::chrono::milliseconds{100};
 const char * words_of_error(unsigned code)
 {
   switch (code) {
-    case 1:
+    case vn100_error::kHardFault:
       return "hard fault";
-    case 2:
+    case vn100_error::kSerialOverflow:
       return "serial buffer overflow";
-    case 4:
+    case vn100_error::kUnknownCommand:
       return "unknown command";
-    case 5:
+    case vn100_error::kTooFew:
       return "too few parameters";
-    case 6:
+    case vn100_error::kTooMany:
       return "too many parameters";
-    case 7:
+    case vn100_error::kOutOfRange:
       return "parameter out of range";
-    case 8:
+    case vn100_error::kUnknownRegister:
       return "unknown register";
-    case 9:
+    case vn100_error::kNotAccessible:
       return "register may not be accessed";
-    case 10:
+    case vn100_error::kWatchdogReset:
       return "reset by its watchdog";
-    case 11:
+    case vn100_error::kOutputOverflow:
       return "output buffer overflow";
-    case 12:
+    case vn100_error::kBaudTooLow:
       return "baud too low for the output";
     default:
       return "unknown error";
@@ -141,7 +135,7 @@ Result<std::string> Vn100Session::ask(
     }
     if (heard->type == "ERR") {
       const unsigned code = whole_of(heard->fields[0], 16).value_or(0);
-      if (code == kWrongChecksum) {
+      if (code == vn100_error::kWrongChecksum) {
         return;  // hurt on its way there: it is sent again
       }
       answer = bad_answer("refuses " + body + ": " + words_of_error(code));
@@ -172,11 +166,11 @@ Result<std::string> Vn100Session::ask(
 
 Result<Vn100Identity> Vn100Session::identify()
 {
-  const auto model = ask("RRG", kModelRegister, "");
+  const auto model = ask("RRG", vn100_register::kModel, "");
   if (!model) {
     return model.fault();
   }
-  const auto serial_number = ask("RRG", kSerialNumberRegister, "");
+  const auto serial_number = ask("RRG", vn100_register::kSerialNumber, "");
   if (!serial_number) {
     return serial_number.fault();
   }
@@ -200,23 +194,23 @@ std::optional<IoFault> Vn100Session::configure()
 {
   char fields[8];
   std::snprintf(fields, sizeof(fields), "%04X", unsigned{kVn100Fields});
-  const std::string divisor = std::to_string(kImuRate / config_.rate_hz);
+  const std::string divisor = std::to_string(kVn100ImuRate / config_.rate_hz);
   const bool binary = config_.output == "binary";
   // 3 sends on both of its ports, so that it does not matter which of them is wired.
   const std::string packets = (binary ? "3," : "0,") + divisor + ",01," + fields;
-  if (auto fault = write_register(kAsciiTypeRegister, "0")) {
+  if (auto fault = write_register(vn100_register::kAsciiType, "0")) {
     return fault;
   }
-  if (auto fault = write_register(kBinaryRegister, packets)) {
+  if (auto fault = write_register(vn100_register::kBinary, packets)) {
     return fault;
   }
   if (binary) {
     return std::nullopt;
   }
-  if (auto fault = write_register(kAsciiRateRegister, std::to_string(config_.rate_hz))) {
+  if (auto fault = write_register(vn100_register::kAsciiRate, std::to_string(config_.rate_hz))) {
     return fault;
   }
-  return write_register(kAsciiTypeRegister, std::to_string(kYmr));
+  return write_register(vn100_register::kAsciiType, std::to_string(kVn100Ymr));
 }
 
 }  // namespace stetro_driver::linux_io
