@@ -18,10 +18,10 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <vector>
 
 #include "linux/servo/herkulex_packet.hpp"
+#include "require.hpp"
 
 namespace
 {
@@ -40,13 +40,6 @@ std::vector<HerkulexPacket> decode(const std::uint8_t * bytes, std::size_t size,
     });
   }
   return packets;
-}
-
-void require(bool holds)
-{
-  if (!holds) {
-    std::abort();
-  }
 }
 
 }  // namespace

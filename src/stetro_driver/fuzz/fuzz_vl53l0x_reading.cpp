@@ -16,12 +16,12 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <string>
 #include <string_view>
 #include <unordered_set>
 
 #include "linux/tof/vl53l0x_reading.hpp"
+#include "require.hpp"
 
 namespace
 {
@@ -46,8 +46,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t * input, std::size_t si
   const std::string_view text{reinterpret_cast<const char *>(input), size};
   const auto parsed = stetro_driver::linux_io::parse_millimetres(text);
   const bool back = parsed && std::to_string(*parsed) + "\n" == text;
-  if (parsed.has_value() != printed(text) || back != parsed.has_value()) {
-    std::abort();
-  }
+  require(parsed.has_value() == printed(text));
+  require(back == parsed.has_value());
   return 0;
 }

@@ -19,11 +19,11 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <optional>
 #include <string>
 
 #include "linux/imu/vn100_ascii.hpp"
+#include "require.hpp"
 
 namespace
 {
@@ -34,13 +34,6 @@ using stetro_driver::linux_io::parse_ascii;
 using stetro_driver::linux_io::sample_of;
 using stetro_driver::linux_io::scan_ascii;
 using stetro_driver::linux_io::to_ascii;
-
-void require(bool holds)
-{
-  if (!holds) {
-    std::abort();
-  }
-}
 
 const std::uint8_t * bytes_of(const std::string & text)
 {

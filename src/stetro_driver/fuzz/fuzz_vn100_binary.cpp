@@ -19,10 +19,10 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <vector>
 
 #include "linux/imu/vn100_binary.hpp"
+#include "require.hpp"
 
 namespace
 {
@@ -34,13 +34,6 @@ using stetro_driver::linux_io::sample_of;
 using stetro_driver::linux_io::scan_binary;
 using stetro_driver::linux_io::to_binary;
 using stetro_driver::linux_io::vn100_crc;
-
-void require(bool holds)
-{
-  if (!holds) {
-    std::abort();
-  }
-}
 
 void try_packet(const std::vector<std::uint8_t> & bytes, std::size_t cut)
 {

@@ -18,11 +18,11 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <string>
 #include <vector>
 
 #include "linux/imu/vn100_stream.hpp"
+#include "require.hpp"
 
 namespace
 {
@@ -31,13 +31,6 @@ using stetro_driver::linux_io::AsciiSentence;
 using stetro_driver::linux_io::BinaryPacket;
 using stetro_driver::linux_io::Vn100Frame;
 using stetro_driver::linux_io::Vn100Stream;
-
-void require(bool holds)
-{
-  if (!holds) {
-    std::abort();
-  }
-}
 
 std::string words_of(const Vn100Frame & frame)
 {

@@ -1,0 +1,28 @@
+// Copyright 2026 The sTetro Authors
+//
+// Licensed under the Apache License, Version 2.0 (the "License");
+// you may not use this file except in compliance with the License.
+// You may obtain a copy of the License at
+//
+//     http://www.apache.org/licenses/LICENSE-2.0
+//
+// Unless required by applicable law or agreed to in writing, software
+// distributed under the License is distributed on an "AS IS" BASIS,
+// WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+// See the License for the specific language governing permissions and
+// limitations under the License.
+
+#ifndef STETRO_DRIVER__FUZZ__REQUIRE_HPP_
+#define STETRO_DRIVER__FUZZ__REQUIRE_HPP_
+
+#include <cstdlib>
+
+/// What a fuzzer holds of every input: it stops at the first for which it is not so.
+inline void require(bool holds)
+{
+  if (!holds) {
+    std::abort();
+  }
+}
+
+#endif  // STETRO_DRIVER__FUZZ__REQUIRE_HPP_
