@@ -179,6 +179,25 @@ TEST_P(HardwareConformance, RollsLeftAlongYAndTurnsCounterClockwise)
   EXPECT_GT(odometry.y_m, 0.06);
 }
 
+TEST_P(HardwareConformance, RatesOfTurnAddUpToTheTurn)
+{
+  HardwareBench & b = bench();
+  b.switch_on();
+  ASSERT_TRUE(b.steer(kHalfPi));
+  Time last = b.read().gyro.stamp;
+  double turned_rad = 0.0;
+  const auto add = [&](const SensorFrame & frame) {
+    turned_rad += frame.gyro.rate_rad_s[2] * time_to_seconds(frame.gyro.stamp - last);
+    last = frame.gyro.stamp;
+    return false;
+  };
+  b.until(Pilot::twist(0.0, 0.0, 0.25), 0.7, add);
+  b.until(Pilot::twist(0.0, 0.0, -0.15), 0.4, add);
+  b.until({}, 0.4, add);
+  EXPECT_GT(b.truth().yaw_rad, 0.05);
+  EXPECT_NEAR(turned_rad, b.truth().yaw_rad, 0.001);
+}
+
 TEST_P(HardwareConformance, RefusesToRollAcrossItsWheels)
 {
   HardwareBench & b = bench();

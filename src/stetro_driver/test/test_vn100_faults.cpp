@@ -83,7 +83,7 @@ const Breakdown kBreakdowns[] = {
 class Vn100Faults : public Vn100Bench, public testing::WithParamInterface<Breakdown>
 {
 protected:
-  [[nodiscard]] bool is_well(const Vn100 & imu) const
+  [[nodiscard]] bool is_well(Vn100 & imu) const
   {
     const Time now = clock_.now();
     return !imu.fault(now) && !imu.reading(now).fault;
@@ -95,7 +95,7 @@ TEST_P(Vn100Faults, InTheMiddleTwiceInARow)
   const Breakdown & breakdown = GetParam();
   const Time limit = 3 * linux_io::vn100_period(config_) + std::chrono::milliseconds{5};
   Vn100Emulator emulator(options_, clock_);
-  const Vn100 imu(config_, clock_);
+  Vn100 imu(config_, clock_);
   ASSERT_TRUE(is_well(imu));
   const OpenResources before;
   for (int time = 1; time <= 2; ++time) {
@@ -136,7 +136,7 @@ TEST_P(Vn100Faults, AtTheStartTwiceInARow)
         << error.what();
     }
     breakdown.end(emulator);
-    const Vn100 imu(config_, clock_);
+    Vn100 imu(config_, clock_);
     EXPECT_TRUE(is_well(imu)) << "the next start is a good one";
   }
   EXPECT_TRUE(OpenResources{} == before);
@@ -151,7 +151,7 @@ TEST_F(Vn100Bench, AtAnotherBaudItIsGarbage)
   options_.baud = 57'600;
   Vn100Emulator emulator(options_, clock_);
   try {
-    const Vn100 imu(config_, clock_);
+    Vn100 imu(config_, clock_);
     ADD_FAILURE() << "it started";
   } catch (const HardwareError & error) {
     EXPECT_NE(std::string(error.what()).find("wrong baud"), std::string::npos) << error.what();

@@ -130,11 +130,16 @@ struct AttitudeReading
 };
 
 /// What an inertial sensor says, in base_link. Rates of turn are counter-clockwise positive.
+/**
+ * The rate is the mean since the stamp of the reading before it, however many samples came between:
+ * rates times the differences of their stamps add up to the angle turned. The same stamp again is
+ * the same reading again. The rest was measured at the stamp.
+ */
 struct GyroReading
 {
   Time stamp{0};
   std::array<double, 3> rate_rad_s{0.0, 0.0, 0.0};
-  double std_dev_rad_s = 0.0;  ///< white noise of one sample
+  double std_dev_rad_s = 0.0;  ///< white noise of the rate
   bool fault = false;
   std::optional<AttitudeReading> attitude{};  ///< nothing: a plain gyroscope
   /// Specific force [m/s^2]: +9.8 about along z at rest. Nothing: not measured.

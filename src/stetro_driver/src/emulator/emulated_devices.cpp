@@ -23,6 +23,7 @@
 #include <vector>
 
 #include "linux/tof/tof_address.hpp"
+#include "stetro_driver/simulated_world.hpp"
 
 namespace stetro_driver::emulator
 {
@@ -163,7 +164,7 @@ void EmulatedDevices::show(const SensorFrame & frame, double yaw_rad)
   motion.rate_rad_s = frame.gyro.rate_rad_s;
   motion.rate_rad_s[2] = spin_rad_s_.value_or(motion.rate_rad_s[2]);
   motion.acceleration_m_s2 = {0.0, 0.0, kGravity};
-  imu_.set_motion(motion);
+  imu_.set_motion(motion, frame.time - SteppedWorld::kTick);
   if (frame.gyro.fault != imu_silenced_) {
     imu_silenced_ = frame.gyro.fault;
     Vn100Trouble trouble;

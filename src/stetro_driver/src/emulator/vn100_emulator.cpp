@@ -30,6 +30,8 @@ namespace stetro_driver::emulator
 namespace
 {
 
+using linux_io::Axes;
+
 constexpr Time kIdle = std::chrono::milliseconds{5};    // looks at what it is told so often
 constexpr Time kBusy = std::chrono::microseconds{500};  // delivers bytes so often
 constexpr std::size_t kLongestCommand = 256;
@@ -52,8 +54,10 @@ Vn100Emulator::Vn100Emulator(
   mounting_(options.mounting_roll_rad, options.mounting_pitch_rad, options.mounting_yaw_rad),
   pty_(options.link),
   registers_(options.model, options.serial_number, options.baud),
-  started_(clock.now()),
+  moved_at_(clock.now()),
+  started_(moved_at_),
   last_(started_),
+  interval_began_(started_),
   random_(options.seed)
 {
   thread_ = std::thread([this] { run(); });
@@ -65,10 +69,30 @@ Vn100Emulator::~Vn100Emulator()
   thread_.join();
 }
 
-void Vn100Emulator::set_motion(const ImuMotion & motion)
+void Vn100Emulator::set_motion(const ImuMotion & motion, Time since)
 {
   const std::lock_guard<std::mutex> lock(mutex_);
+  if (pty_.plugged()) {
+    measure(since);  // what is due until then, it was another motion
+  }
+  turned_before_rad_ = turned_rad(since);
+  moved_at_ = since;
   motion_ = motion;
+}
+
+Axes Vn100Emulator::turned_rad(Time until) const
+{
+  Axes turned = turned_before_rad_;
+  for (std::size_t i = 0; i < turned.size(); ++i) {
+    turned[i] += motion_.rate_rad_s[i] * time_to_seconds(until - moved_at_);
+  }
+  return turned;
+}
+
+void Vn100Emulator::begin_interval()
+{
+  interval_began_ = last_;
+  turned_at_begin_rad_ = turned_rad(last_);
 }
 
 void Vn100Emulator::set_trouble(const Vn100Trouble & trouble)
@@ -110,6 +134,7 @@ void Vn100Emulator::start_anew()
   heard_.clear();
   started_ = clock_.now();
   last_ = started_;
+  begin_interval();
 }
 
 void Vn100Emulator::run()
@@ -169,7 +194,8 @@ void Vn100Emulator::measure(Time now)
   const bool binary = registers_.binary_rate_hz() > 0.0;
   const double rate_hz = binary ? registers_.binary_rate_hz() : registers_.ascii_rate_hz();
   if (rate_hz <= 0.0) {
-    last_ = now;
+    last_ = std::max(last_, now);
+    begin_interval();
     return;
   }
   const Time period = seconds_to_time(trouble_.slow / rate_hz);
@@ -187,10 +213,16 @@ void Vn100Emulator::measure(Time now)
   }
 }
 
-linux_io::Vn100Sample Vn100Emulator::sample() const
+linux_io::Vn100Sample Vn100Emulator::sample()
 {
+  const double lasted_s = time_to_seconds(last_ - interval_began_);
+  Axes rate_rad_s = turned_rad(last_);
+  for (std::size_t i = 0; i < rate_rad_s.size(); ++i) {
+    rate_rad_s[i] = (rate_rad_s[i] - turned_at_begin_rad_[i]) / lasted_s;
+  }
+  begin_interval();
   return {
-    mounting_.to_sensor(motion_.base_in_world), mounting_.to_sensor(motion_.rate_rad_s),
+    mounting_.to_sensor(motion_.base_in_world), mounting_.to_sensor(rate_rad_s),
     mounting_.to_sensor(motion_.acceleration_m_s2), last_ - started_};
 }
 

@@ -49,7 +49,7 @@ struct Vn100EmulatorOptions
 struct ImuMotion
 {
   Quaternion base_in_world{};                       ///< world: x east, y north, z up
-  linux_io::Axes rate_rad_s{};                      ///< counter-clockwise positive
+  linux_io::Axes rate_rad_s{};                      ///< of turn, counter-clockwise positive
   linux_io::Axes acceleration_m_s2{0.0, 0.0, 9.8};  ///< specific force: up at rest
 };
 
@@ -66,7 +66,8 @@ struct Vn100Trouble
 /**
  * Sends what it was told to, paced at its baud; answers between measurements; output runs from the
  * start, as the factory left it. At another baud than the host's, the host receives garbage and is
- * not understood. Plugging it in again starts it anew: it has forgotten its settings.
+ * not understood. Plugging it in again starts it anew: it has forgotten its settings. The rate that
+ * a measurement says is the angle turned since the one before it, by their time: no angle is lost.
  *
  * A thread of its own. All members may be called from any thread.
  */
@@ -79,7 +80,10 @@ public:
   Vn100Emulator(const Vn100Emulator &) = delete;
   Vn100Emulator & operator=(const Vn100Emulator &) = delete;
 
-  void set_motion(const ImuMotion & motion);
+  /// Moves so from now on.
+  void set_motion(const ImuMotion & motion) { set_motion(motion, clock_.now()); }
+  /// Moves so since a time: a world that moves in ticks knows it at their ends.
+  void set_motion(const ImuMotion & motion, Time since);
   void set_trouble(const Vn100Trouble & trouble);
 
   void unplug();
@@ -97,7 +101,9 @@ private:
   void measure(Time now);
   void send(const std::string & frame, Time now, std::uint32_t baud);
   void deliver(Time now);
-  [[nodiscard]] linux_io::Vn100Sample sample() const;
+  [[nodiscard]] linux_io::Vn100Sample sample();
+  [[nodiscard]] linux_io::Axes turned_rad(Time until) const;  ///< in all
+  void begin_interval();
   [[nodiscard]] bool happens(double probability);
 
   Vn100EmulatorOptions options_;
@@ -109,10 +115,14 @@ private:
   LinePacer line_;
   Vn100Registers registers_;
   ImuMotion motion_{};
+  Time moved_at_{0};                    ///< since when it moves so
+  linux_io::Axes turned_before_rad_{};  ///< in all until then
   Vn100Trouble trouble_{};
   std::string heard_;
   Time started_{0};
-  Time last_{0};  ///< measurement
+  Time last_{0};                          ///< measurement
+  Time interval_began_{0};                ///< whose mean rate the next one says
+  linux_io::Axes turned_at_begin_rad_{};  ///< in all until then
   std::mt19937_64 random_;
 
   std::atomic<bool> stop_{false};

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 namespace stetro_driver::linux_io
 {
@@ -213,27 +214,25 @@ void Vn100::take(const Vn100Frame & frame, Time arrival)
   const Time sent = arrival - seconds_to_time(config_.latency_s);
   Time stamp = sample->uptime ? timeline_.stamp(*sample->uptime, sent) : sent;
   stamp = std::max(stamp, stamp_ + Time{1});  // it never runs backwards
-  in_time_ = stamp - stamp_ > limit_ ? 1 : in_time_ + 1;
+  const Time lasted = stamp - stamp_;
+  in_time_ = lasted > limit_ ? 1 : in_time_ + 1;
   stamp_ = stamp;
   hurt_before_ = session_->counts().lost_bytes;
   if (in_time_ >= kTrustAfter) {
-    believe(*sample, stamp);
+    believe(*sample, stamp, lasted);
   }
 }
 
-void Vn100::believe(const Vn100Sample & sample, Time stamp)
+void Vn100::believe(const Vn100Sample & sample, Time stamp, Time lasted)
 {
-  GyroReading reading;
-  reading.stamp = stamp;
-  reading.rate_rad_s = mounting_.to_base(sample.rate_rad_s);
-  reading.std_dev_rad_s = config_.rate_std_dev_rad_s;
-  reading.attitude = AttitudeReading{
-    mounting_.to_base(sample.sensor_in_ned), config_.tilt_std_dev_rad, config_.yaw_std_dev_rad};
-  reading.acceleration_m_s2 = mounting_.to_base(sample.acceleration_m_s2);
-  reading.acceleration_std_dev_m_s2 = config_.acceleration_std_dev_m_s2;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    reading_ = reading;
+    turning_.add(mounting_.to_base(sample.rate_rad_s), lasted);
+    reading_.stamp = stamp;
+    reading_.attitude = AttitudeReading{
+      mounting_.to_base(sample.sensor_in_ned), config_.tilt_std_dev_rad, config_.yaw_std_dev_rad};
+    reading_.acceleration_m_s2 = mounting_.to_base(sample.acceleration_m_s2);
+    reading_.acceleration_std_dev_m_s2 = config_.acceleration_std_dev_m_s2;
     health_.answered();
   }
   changed_.notify_all();
@@ -256,9 +255,14 @@ IoFault Vn100::silence(Time age) const
   return {IoFaultKind::kSilent, "VN-100: no measurement for " + in_seconds(age)};
 }
 
-GyroReading Vn100::reading(Time now) const
+GyroReading Vn100::reading(Time now)
 {
   const std::lock_guard<std::mutex> lock(mutex_);
+  if (const auto mean = turning_.take()) {
+    reading_.rate_rad_s = mean->rate_rad_s;
+    reading_.std_dev_rad_s =
+      config_.rate_std_dev_rad_s / std::sqrt(static_cast<double>(mean->samples));
+  }
   GyroReading reading = reading_;
   reading.fault = health_.faulty() || now - reading.stamp > limit_;
   return reading;

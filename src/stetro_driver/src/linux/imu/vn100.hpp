@@ -26,6 +26,7 @@
 
 #include "linux/device_clock.hpp"
 #include "linux/device_health.hpp"
+#include "linux/imu/mean_rate.hpp"
 #include "linux/imu/ned.hpp"
 #include "linux/imu/sample_timeline.hpp"
 #include "linux/imu/vn100_config.hpp"
@@ -70,9 +71,13 @@ public:
   Vn100(const Vn100 &) = delete;
   Vn100 & operator=(const Vn100 &) = delete;
 
-  /// The latest measurement with its time. Its `fault` says that it is not to be used. No memory is
-  /// allocated. \param now device time
-  [[nodiscard]] GyroReading reading(Time now) const;
+  /// The latest measurement with its time, and the mean rate of turn since the reading before.
+  /**
+   * Without a new measurement it is the reading before once more. Its `fault` says that it is not
+   * to be used. For one reader, who misses the angles that another has taken. No memory is
+   * allocated. \param now device time
+   */
+  [[nodiscard]] GyroReading reading(Time now);
 
   /// What is wrong now; nothing: all is well.
   [[nodiscard]] std::optional<IoFault> fault(Time now) const;
@@ -86,7 +91,7 @@ private:
   /// \return whether it was called off
   bool wait_until(Time then);
   void take(const Vn100Frame & frame, Time arrival);
-  void believe(const Vn100Sample & sample, Time stamp);
+  void believe(const Vn100Sample & sample, Time stamp, Time lasted);
   void complain(const IoFault & fault);
   void close();
   [[nodiscard]] std::optional<Vn100Sample> sample_in(const Vn100Frame & frame);
@@ -110,7 +115,8 @@ private:
 
   mutable std::mutex mutex_;  // guards what follows
   std::condition_variable changed_;
-  GyroReading reading_{};
+  GyroReading reading_{};  ///< but for the rate, which is in turning_ until it is asked for
+  MeanRate turning_{};
   Vn100Identity identity_{};
   DeviceHealth health_;
   StreamCounts stream_{};
