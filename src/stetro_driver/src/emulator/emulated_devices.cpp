@@ -222,8 +222,10 @@ void EmulatedDevices::spin(std::optional<double> rate_rad_s)
 ChassisDrives EmulatedDevices::drives()
 {
   const auto drive_of = [this](std::int64_t id) {
-    return servos_.with(
-      static_cast<std::uint8_t>(id), [](EmulatedServo & servo) { return servo.drive(); });
+    ServoDrive drive;
+    servos_.if_there(
+      static_cast<std::uint8_t>(id), [&](EmulatedServo & servo) { drive = servo.drive(); });
+    return drive;
   };
   const linux_io::ChassisConfig & chassis = devices_.chassis;
   ChassisDrives drives;
@@ -242,7 +244,7 @@ ChassisDrives EmulatedDevices::drives()
 void EmulatedDevices::turn(const ChassisShafts & shafts)
 {
   const auto set = [this](std::int64_t id, const Shaft & shaft) {
-    servos_.with(static_cast<std::uint8_t>(id), [&](EmulatedServo & servo) {
+    servos_.if_there(static_cast<std::uint8_t>(id), [&](EmulatedServo & servo) {
       servo.set_measured(shaft.position_rad, shaft.speed_rad_s);
     });
   };

@@ -63,6 +63,17 @@ HerkulexEmulator::~HerkulexEmulator()
   close(wake_fd_);
 }
 
+EmulatedServo * HerkulexEmulator::find(std::uint8_t id)
+{
+  for (EmulatedServo & servo : servos_) {
+    if (servo.id() == id) {
+      servo.advance(clock_.now());
+      return &servo;
+    }
+  }
+  return nullptr;
+}
+
 void HerkulexEmulator::set_faults(const HerkulexFaults & faults)
 {
   const std::lock_guard<std::mutex> lock{mutex_};

@@ -76,13 +76,20 @@ public:
   auto with(std::uint8_t id, Act && act)
   {
     const std::lock_guard<std::mutex> lock{mutex_};
-    for (EmulatedServo & servo : servos_) {
-      if (servo.id() == id) {
-        servo.advance(clock_.now());
-        return act(servo);
-      }
+    if (EmulatedServo * const servo = find(id)) {
+      return act(*servo);
     }
     throw std::out_of_range("no emulated servo " + std::to_string(id));
+  }
+
+  /// The same, and nothing happens when no servo has that id: it may have been replaced.
+  template <class Act>
+  void if_there(std::uint8_t id, Act && act)
+  {
+    const std::lock_guard<std::mutex> lock{mutex_};
+    if (EmulatedServo * const servo = find(id)) {
+      act(*servo);
+    }
   }
 
   void set_faults(const HerkulexFaults & faults);
@@ -99,6 +106,8 @@ private:
     linux_io::HerkulexBytes wire;
   };
 
+  /// Brought up to the present; null: there is none.
+  [[nodiscard]] EmulatedServo * find(std::uint8_t id);
   void run();
   void listen(Time now);
   void ask(const linux_io::HerkulexPacket & packet, Time now);

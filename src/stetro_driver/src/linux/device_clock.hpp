@@ -28,25 +28,27 @@ namespace stetro_driver::linux_io
 /**
  *   now = epoch + rate (monotonic - monotonic when it was made)                           (1)
  *
- * The rate is 1 on a robot. An emulated climb may run faster: then device time runs `rate` times
- * as fast as the machine's, every time-out and period is device time, and only what is handed to
- * the kernel to wait for goes through real().
+ * The rate is 1 on a robot. An emulated climb may run faster, or slower where a busy computer is to
+ * keep the time-outs of a robot: then device time runs `rate` times as fast as the machine's, every
+ * time-out and period is device time, and only what is handed to the kernel to wait for goes
+ * through real().
  *
  * A value: copies show the same time, and one may be read from any thread.
  */
 class DeviceClock
 {
 public:
+  static constexpr double kSlowest = 0.1;
   static constexpr double kFastest = 1000.0;
 
   /// \param epoch what it shows now
-  /// \throws std::invalid_argument unless the rate is from 1 to kFastest
+  /// \throws std::invalid_argument unless the rate is from kSlowest to kFastest
   explicit DeviceClock(Time epoch = Time::zero(), double rate = 1.0)
   : epoch_(epoch), rate_(rate), origin_(monotonic())
   {
-    if (!(rate >= 1.0 && rate <= kFastest)) {
+    if (!(rate >= kSlowest && rate <= kFastest)) {
       throw std::invalid_argument(
-        "rate of the device clock is " + std::to_string(rate) + ", accepted: 1 to 1000");
+        "rate of the device clock is " + std::to_string(rate) + ", accepted: 0.1 to 1000");
     }
   }
 
