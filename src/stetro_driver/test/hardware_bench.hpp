@@ -153,13 +153,14 @@ inline linux_io::Devices patient(linux_io::Devices devices)
   return devices;
 }
 
+/// \param rate share of their real speed at which devices and world run
 inline std::unique_ptr<emulator::EmulatedRobot> emulated_robot(
-  SimOptions options, const linux_io::Devices & devices)
+  SimOptions options, const linux_io::Devices & devices, double rate = 1.0)
 {
   // Without a trace of noise a sensor is rightly taken for stuck.
   options.errors.tof_white_std_m = std::max(options.errors.tof_white_std_m, 0.0015);
   return std::make_unique<emulator::EmulatedRobot>(
-    building_of(paper_stairs()), BodyShape{}, options, devices, linux_io::TofLimits{}, 1.0);
+    building_of(paper_stairs()), BodyShape{}, options, devices, linux_io::TofLimits{}, rate);
 }
 
 inline DriverHardware make_emulated_robot(const SimOptions & options)

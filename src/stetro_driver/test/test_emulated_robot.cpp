@@ -12,13 +12,11 @@
 // See the License for the specific language governing permissions and
 // limitations under the License.
 
-// The real robot's driver in mid-climb, and what goes wrong with its devices: one of each kind,
-// twice in a row. What a device can do wrong by itself is in its own tests.
+// The real robot's driver with emulated devices, as one thing: starting, telling, ending. What goes
+// wrong with devices in mid-climb is in test_fault_matrix.cpp.
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <functional>
 #include <memory>
 #include <string>
 
@@ -31,116 +29,11 @@ namespace
 {
 
 using emulator::EmulatedDevices;
-using std::chrono::milliseconds;
 using test::HardwareBench;
 using test::Pilot;
 
-/// Three periods of the slowest device, and what a computer that tests share may be late by.
-constexpr double kKnownWithin_s = 0.105 + 0.25;
 constexpr double kWellAgainWithin_s = 8.0;  // back-off, opening, and trust
-constexpr double kStandsStill_m = 0.002;    // a leg of the lifts that was under way is finished
-
-struct Trouble
-{
-  const char * name;
-  std::function<void(EmulatedDevices &)> strike;
-  std::function<void(EmulatedDevices &)> end;
-  IoFaultKind kind;
-  bool latches = false;  ///< a person has to reset the emergency stop
-};
-
-void PrintTo(const Trouble & trouble, std::ostream * out) { *out << trouble.name; }
-
-std::string name_of(const ::testing::TestParamInfo<Trouble> & info) { return info.param.name; }
-
-const RangePlace kPlace = RangePlace::kFrontLeft;
-
-std::vector<Trouble> troubles()
-{
-  return {
-    {"range_sensor_unplugged",
-     [](EmulatedDevices & d) { d.tree().unplug(d.sensor(kPlace)->i2c_name); },
-     [](EmulatedDevices & d) { d.tree().plug(*d.sensor(kPlace)); }, IoFaultKind::kSilent},
-    {"range_sensor_garbled",
-     [](EmulatedDevices & d) { d.tof(kPlace)->set_trouble(emulator::TofTrouble::kGarbled); },
-     [](EmulatedDevices & d) { d.tof(kPlace)->set_trouble(emulator::TofTrouble::kNone); },
-     IoFaultKind::kBadAnswer},
-    {"imu_unplugged", [](EmulatedDevices & d) { d.imu().unplug(); },
-     [](EmulatedDevices & d) { d.imu().plug(); }, IoFaultKind::kSilent},
-    {"servo_line_unplugged", [](EmulatedDevices & d) { d.servos().unplug(); },
-     [](EmulatedDevices & d) { d.servos().plug(); }, IoFaultKind::kSilent},
-    {"servo_silent",
-     [](EmulatedDevices & d) {
-       emulator::HerkulexFaults faults;
-       faults.silent = {7};
-       d.servos().set_faults(faults);
-     },
-     [](EmulatedDevices & d) { d.servos().set_faults({}); }, IoFaultKind::kSilent},
-    {"lines_unplugged", [](EmulatedDevices & d) { d.lines().set_plugged("gpiochip0", false); },
-     [](EmulatedDevices & d) { d.lines().set_plugged("gpiochip0", true); },
-     IoFaultKind::kEmergencyStop, true},
-  };
-}
-
-class InMidClimb : public ::testing::TestWithParam<Trouble>
-{
-protected:
-  InMidClimb()
-  {
-    SimOptions options = test::perfect();
-    options.start = SimStart{0.235, 1.025, 0.0};  // blocks 2 and 3 on tread 1, block 1 on tread 2
-    auto robot = test::emulated_robot(options, test::patient(test::shipped_devices()));
-    devices_ = &robot->emulated();
-    SimulatedWorld & world = *robot;
-    bench_.emplace(DriverHardware{std::move(robot), &world, nullptr});
-    bench_->switch_on();
-  }
-
-  [[nodiscard]] double height_m() const { return bench_->truth().block_heights_m[1]; }
-
-  /// Lifts block 2 until something is so. \return whether it came true
-  template <class Done>
-  bool lift(double limit_s, Done && done)
-  {
-    return bench_->until(
-      Pilot::vertical(MotionKind::kLift, 2), limit_s, [&](const SensorFrame &) { return done(); });
-  }
-
-  EmulatedDevices * devices_ = nullptr;
-  std::optional<HardwareBench> bench_;
-};
-
-TEST_P(InMidClimb, HoldsSaysWhyAndGoesOnTwice)
-{
-  const Trouble & trouble = GetParam();
-  const double floor_m = height_m();
-  ASSERT_TRUE(lift(4.0, [&] { return height_m() > floor_m + 0.02; }));
-  const OpenResources before;
-  for (int time = 1; time <= 2; ++time) {
-    SCOPED_TRACE(time);
-    trouble.strike(*devices_);
-    const Time struck = bench_->now();
-    ASSERT_TRUE(lift(2.0, [&] { return bench_->refused().has_value(); }));
-    EXPECT_LT(time_to_seconds(bench_->now() - struck), kKnownWithin_s);
-    EXPECT_EQ(bench_->refused()->kind, trouble.kind) << bench_->refused()->detail;
-    const double held_m = height_m();
-    lift(0.5, [] { return false; });
-    EXPECT_NEAR(height_m(), held_m, kStandsStill_m);
-    EXPECT_TRUE(bench_->refused());
-    trouble.end(*devices_);
-    if (trouble.latches) {
-      bench_->rest(3.0);
-      bench_->robot().reset_emergency_stop();
-    }
-    ASSERT_TRUE(lift(kWellAgainWithin_s, [&] { return !bench_->refused(); }))
-      << bench_->refused()->detail;
-    ASSERT_TRUE(lift(3.0, [&] { return height_m() > held_m + 0.02; })) << "it goes on";
-  }
-  EXPECT_TRUE(OpenResources{} == before);
-  EXPECT_FALSE(bench_->truth().fallen);
-}
-
-INSTANTIATE_TEST_SUITE_P(Troubles, InMidClimb, ::testing::ValuesIn(troubles()), name_of);
+constexpr RangePlace kPlace = RangePlace::kFrontLeft;
 
 TEST(EmulatedRobot, NamesEveryDeviceThatIsMissingAtTheStart)
 {
