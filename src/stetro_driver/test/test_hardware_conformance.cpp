@@ -360,6 +360,22 @@ TEST_P(HardwareConformance, NamesAGyroscopeThatDoesNotAnswer)
   EXPECT_TRUE(b.wait(4.0, [](const SensorFrame & frame) { return !frame.gyro.fault; }));
 }
 
+TEST_P(HardwareConformance, NamesASwitchThatIsBroken)
+{
+  HardwareBench & b = bench(with("dead:left_middle@4-5"));
+  b.switch_on();
+  b.rest(0.5);
+  EXPECT_FALSE(b.read().contact(ContactPlace::kLeftMiddle).fault);
+  ASSERT_TRUE(b.wait(
+    5.0, [](const SensorFrame & frame) { return frame.contact(ContactPlace::kLeftMiddle).fault; }));
+  EXPECT_LT(b.now(), test::perfect().origin + std::chrono::milliseconds{4500});
+  EXPECT_FALSE(b.read().contact(ContactPlace::kRightMiddle).fault);
+  EXPECT_TRUE(b.wait(4.0, [](const SensorFrame & frame) {
+    const ContactReading & contact = frame.contact(ContactPlace::kLeftMiddle);
+    return !contact.fault && !contact.closed;
+  }));
+}
+
 INSTANTIATE_TEST_SUITE_P(
   Robots, HardwareConformance,
   ::testing::Values(

@@ -194,10 +194,17 @@ void EmulatedDevices::show_range(std::size_t place, const RangeReading & reading
 void EmulatedDevices::show_contact(std::size_t place, const ContactReading & reading)
 {
   const linux_io::ContactLineConfig & line = devices_.contacts.lines[place];
-  if (line.fitted() && !reading.fault) {
+  if (!line.fitted()) {
+    return;
+  }
+  const LineName name{line.chip, static_cast<unsigned int>(line.line)};
+  if (reading.fault != loose_[place]) {
+    loose_[place] = reading.fault;
+    lines_.set_chatter(name, reading.fault);
+  }
+  if (!reading.fault) {
     const bool closed = pressed_[place].value_or(reading.closed);
-    const bool active_low = line.active == "low";
-    lines_.drive({line.chip, static_cast<unsigned int>(line.line)}, closed != active_low);
+    lines_.drive(name, closed != (line.active == "low"));
   }
 }
 

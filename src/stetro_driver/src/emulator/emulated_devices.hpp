@@ -64,7 +64,7 @@ public:
   [[nodiscard]] linux_io::LinuxDoors doors() { return {tree_, lines_}; }
 
   /// What the sensors see from now on, and how the body turned in the tick until then. Ranges in
-  /// trouble do not answer.
+  /// trouble do not answer, switches in trouble have a loose wire.
   void show(const SensorFrame & frame, double yaw_rad);
 
   [[nodiscard]] ChassisDrives drives();
@@ -109,6 +109,7 @@ private:
   std::mutex mutex_{};                         // guards what follows
   std::array<bool, kRangePlaces> silenced_{};  // by the world
   bool imu_silenced_ = false;
+  std::array<bool, kContactPlaces> loose_{};
   std::array<std::optional<bool>, kContactPlaces> pressed_{};
   std::array<std::optional<double>, kRangePlaces> held_m_{};
   std::optional<double> spin_rad_s_{};
