@@ -23,7 +23,7 @@ namespace
 
 constexpr double kSettle_s = 0.5;     // a block that was just told to move may still be at rest
 constexpr double kRecount = 0.5;      // share of a state's limit before it gives up waiting
-constexpr double kSupport_m = 0.045;  // of block 2 behind its middle, to stand and not to tip
+constexpr double kSupport_m = 0.045;  // of block 2 on either side of its middle, to stand
 constexpr double kFreeFactor = 2.0;   // a riser is believed missing later than a landing free
 
 /// Where a riser must be ahead, a healthy stair_front sees nothing: the step count is wrong (D3-8).
@@ -57,8 +57,6 @@ bool block3_at_riser(const Situation & s)
   return gap && (*gap <= s.params.block3_gap_m || s.stalled() || pushes);
 }
 
-bool may_lift_again(const Situation & s) { return s.memory.relifts < s.params.max_relifts; }
-
 /// How far the pose has block 2's middle beyond the edge of the tread below it, as the site has it.
 std::optional<double> beyond_edge_m(const Situation & s)
 {
@@ -72,14 +70,17 @@ std::optional<double> beyond_edge_m(const Situation & s)
 }
 
 /// Block 3's sensor has it at the riser, and by the pose block 2 would tip off the edge.
-/** Something has let block 2 down on the old tread: block 3's sensor then sees block 2. */
-bool short_of_edge(const Situation & s)
+/** Wheels that slip in the middle of the roll do that. From further back block 2 comes to stand on
+ *  the old tread, which is noticed. */
+bool over_the_edge(const Situation & s)
 {
   const auto beyond = beyond_edge_m(s);
-  return beyond && block3_at_riser(s) && *beyond + s.seen.pose->protection_along_m < kSupport_m;
+  if (!beyond || !block3_at_riser(s)) {
+    return false;
+  }
+  const double at_most_m = *beyond + s.seen.pose->protection_along_m;
+  return -kSupport_m <= at_most_m && at_most_m < kSupport_m;
 }
-
-bool short_again(const Situation & s) { return short_of_edge(s) && !may_lift_again(s); }
 
 bool rolled_too_far(const Situation & s) { return s.along_m() > s.params.max_roll_m; }
 
@@ -94,6 +95,8 @@ bool on_old_tread(const Situation & s)
   const bool low = s.height_m(2) - s.height_m(3) <= s.params.height_tolerance_m;
   return s.in_state_s() > kSettle_s && low && all_stand(s);
 }
+
+bool may_lift_again(const Situation & s) { return s.memory.relifts < s.params.max_relifts; }
 
 bool on_old_tread_again(const Situation & s) { return on_old_tread(s) && !may_lift_again(s); }
 
@@ -195,8 +198,7 @@ std::vector<Row> step_rows()
     roll_block3,
     &ClimbParams::roll_limit_s,
     Fault::kRollTimeout,
-    {{"block 2 short of its tread again", short_again, State::kFault, Fault::kStepContradiction},
-     {"block 2 short of its tread", short_of_edge, State::kLiftBlock2, Fault::kNone, count_relift},
+    {{"block 2 would tip off the edge", over_the_edge, State::kFault, Fault::kStepContradiction},
      {"block 3 at the riser", block3_at_riser, State::kLowerBlock2},
      {"rolled too far", rolled_too_far, State::kFault, Fault::kRiserMissing}}};
   roll_row.gap_m = [](const Situation & s) { return s.gap_m(Place::kBlock3Front); };
