@@ -30,7 +30,7 @@ namespace stetro_driver
 namespace
 {
 
-constexpr double kReplyPatience_s = 0.1;   // with an emulated servo, of the computer's time
+constexpr double kReplyPatience_s = 0.3;   // with an emulated servo, of the computer's time
 constexpr double kRangePatience_s = 0.06;  // with an emulated measurement, the same
 constexpr double kImuPatience_s = 0.25;    // the same with an emulated VN-100
 
