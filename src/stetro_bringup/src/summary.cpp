@@ -215,6 +215,7 @@ std::string summary_json(const ClimbOutcome & outcome, const ClimbErrors & error
   summary["estimates_on_wrong_step"] = errors.wrong_step;
   summary["simulated_time_s"] = known(outcome.simulated_time_s);
   summary["wall_time_s"] = known(outcome.wall_time_s);
+  summary["times_held"] = outcome.times_held;
   summary["faults"] = outcome.faults;
   summary["succeeded"] = outcome.shortfalls.empty();
   summary["shortfalls"] = outcome.shortfalls;
@@ -253,6 +254,9 @@ void print_summary(std::ostream & out, const ClimbOutcome & outcome, const Climb
   print_kidnaps(out, outcome.kidnaps);
   line(
     "  time          %6.0f s simulated in %.0f s\n", outcome.simulated_time_s, outcome.wall_time_s);
+  if (outcome.times_held > 0) {
+    line("  held          %6d times\n", outcome.times_held);
+  }
   for (const std::string & fault : outcome.faults) {
     out << "  fault         " << fault << '\n';
   }

@@ -43,6 +43,7 @@ struct ClimbOutcome
   std::vector<SegmentChange> hand_overs;  ///< between floors and flights
   std::vector<Kidnap> kidnaps;
   std::vector<std::string> kidnaps_asked;  ///< floors on which one is to happen and to be seen
+  int times_held = 0;                      ///< the mission, until somebody resumed it
   std::vector<std::string> faults;         ///< every fault the supervisor reported, in order
   std::vector<std::string> shortfalls;     ///< of `shortfalls()`; empty: it succeeded
 };

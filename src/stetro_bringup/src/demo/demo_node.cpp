@@ -71,18 +71,28 @@ DemoNode::DemoNode(
 void DemoNode::ask()
 {
   const bool trusted = last_estimate_ && last_estimate_->integrity == "OK";
-  if (accepted_ || !trusted) {
+  const bool held = task_.resumes && mission_.mission == status::MISSION_HELD;
+  if (!trusted || (accepted_ && !held)) {
     return;
   }
   if (!awaiting_answer_) {
     ++asked_;
     awaiting_answer_ = true;
   }
+  if (accepted_) {
+    send(request::KIND_RESUME);
+  } else {
+    send(task_.is_journey ? request::KIND_GO_TO_SEGMENT : request::KIND_CLEAN_FLIGHT);
+  }
+}
+
+void DemoNode::send(std::uint8_t kind)
+{
   stetro_msgs::msg::MissionRequest message;
   message.header().stamp() = stamp_of(node_.clock().now());
   message.request_id() = request_id();
   message.issuer() = kIssuer;
-  message.kind() = task_.is_journey ? request::KIND_GO_TO_SEGMENT : request::KIND_CLEAN_FLIGHT;
+  message.kind() = kind;
   message.segment_id() = task_.goal.segment.c_str();
   message.step() = request::STEP_UNKNOWN;
   mission_requests_.publish(message);
@@ -160,14 +170,17 @@ void DemoNode::on_mission_status(const stetro_msgs::msg::MissionStatus & message
   const bool over = ended();
   const auto now = time_of(message.header().stamp());
   if (message.issuer() == kIssuer && message.request_id().c_str() == request_id()) {
-    if (message.answer() == status::ANSWER_ACCEPTED && !accepted_) {
+    if (message.answer() == status::ANSWER_ACCEPTED) {
+      started_at_ = accepted_ ? started_at_ : now;
       accepted_ = true;
-      started_at_ = now;
+      awaiting_answer_ = false;
     } else if (message.answer() == status::ANSWER_REFUSED) {
       refusal_ = message.answer_reason().c_str();
       awaiting_answer_ = false;
     }
   }
+  const bool held = message.mission() == status::MISSION_HELD;
+  times_held_ += held && mission_.mission != status::MISSION_HELD ? 1 : 0;
   mission_ = {message.mission(), message.state().c_str(), message.segment_id().c_str(),
               message.step(),    message.step_count(),    message.fault().c_str()};
   ended_at_ = over ? ended_at_ : now;

@@ -69,10 +69,12 @@ public:
   void hear_checks(std::function<void(const CheckSample &)> heard) { heard_ = std::move(heard); }
 
   /// Asks for the task, once the pose is trusted, until a supervisor accepts; call it often.
+  /** Later, if the task says so, asks to go on with a mission that is held. */
   void ask();
 
   [[nodiscard]] bool accepted() const { return accepted_; }
   [[nodiscard]] const std::string & last_refusal() const { return refusal_; }
+  [[nodiscard]] int times_held() const { return times_held_; }
   [[nodiscard]] bool ended() const;     ///< finished, aborted or in fault
   [[nodiscard]] bool finished() const;  ///< reached the goal
   [[nodiscard]] const MissionView & mission() const { return mission_; }
@@ -92,6 +94,7 @@ private:
   void on_diagnostics(const diagnostic_msgs::msg::DiagnosticArray & message);
   void on_mission_status(const stetro_msgs::msg::MissionStatus & message);
   [[nodiscard]] std::string request_id() const;
+  void send(std::uint8_t kind);
 
   stetro_dds::Node node_;
   const Task task_;
@@ -103,6 +106,7 @@ private:
   // A request is sent again under its id until it is answered; after a refusal comes another id.
   int asked_ = 0;
   bool awaiting_answer_ = false;
+  int times_held_ = 0;
   std::string refusal_;
   std::vector<std::string> faults_;
   std::optional<Estimate> last_estimate_;

@@ -80,14 +80,16 @@ const stetro_site::Floor * highest_drawn(const stetro_site::Site & site)
 
 Task task_of(const DemoOptions & options, const stetro_site::Site & site)
 {
+  // A busy computer keeps emulated devices waiting, and the mission is held as for a loose plug.
+  const bool resumes = options.hardware == "emulated";
   const stetro_site::Floor * floor =
     options.goal.empty() ? highest_drawn(site) : &site.floor(options.goal);
   if (floor != nullptr && options.flight.empty()) {
-    return {true, site.flights().front().id(), {floor->id, 0}, std::nullopt, {}};
+    return {true, site.flights().front().id(), {floor->id, 0}, std::nullopt, {}, resumes};
   }
   const bool one = options.flight.empty() && site.flights().size() == 1;
   const auto & flight = one ? site.flights().front() : site.flight(options.flight);
-  return {false, flight.id(), {flight.id(), flight.steps()}, std::nullopt, {}};
+  return {false, flight.id(), {flight.id(), flight.steps()}, std::nullopt, {}, resumes};
 }
 
 std::string site_file(const std::string & path_or_name)

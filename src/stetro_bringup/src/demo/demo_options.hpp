@@ -66,6 +66,7 @@ struct Task
   Goal goal;
   std::optional<stetro_site::Pose> start_pose;  ///< in that frame; nothing: at the flight's foot
   std::vector<std::string> kidnaps_on;          ///< floors on which one is to happen
+  bool resumes = false;                         ///< when the mission is held
 };
 
 /// The flight that was chosen, or the floor; of a building with drawn floors the highest of these.

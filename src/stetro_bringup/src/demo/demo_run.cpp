@@ -157,6 +157,7 @@ ClimbOutcome DemoRun::outcome() const
   if (!options_.no_ground_truth) {
     outcome.kidnaps_asked = task_.kidnaps_on;
   }
+  outcome.times_held = demo_.times_held();
   outcome.faults = demo_.faults();
   outcome.faults.insert(outcome.faults.end(), troubles_.begin(), troubles_.end());
   outcome.shortfalls = shortfalls(outcome, task_.goal);
