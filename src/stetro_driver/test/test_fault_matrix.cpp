@@ -18,7 +18,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <functional>
 #include <memory>
 #include <ostream>
@@ -64,9 +63,9 @@ struct Trouble
   double period_s;  ///< three of them may pass until it is known
   Act strike;
   Act end;
-  std::vector<IoFaultKind> kinds;  ///< of the fault that is known first
-  std::string words;               ///< that say in the end what it is
-  bool latches = false;            ///< a person has to reset the emergency stop
+  IoFaultKind kind;      ///< of its fault once it is known what it is
+  std::string words;     ///< in that fault
+  bool latches = false;  ///< a person has to reset the emergency stop
 };
 
 void PrintTo(const Trouble & trouble, std::ostream * out) { *out << trouble.name; }
@@ -84,7 +83,7 @@ Trouble range(TofTrouble what, const char * name, IoFaultKind kind, const char *
     kRangePeriod_s,
     [what](EmulatedDevices & d) { d.tof(kPlace)->set_trouble(what); },
     [](EmulatedDevices & d) { d.tof(kPlace)->set_trouble(TofTrouble::kNone); },
-    {kind},
+    kind,
     words};
 }
 
@@ -104,18 +103,19 @@ Trouble another_kind_of_sensor()
       unplug_range(d);
       plug_range(d);
     },
-    {kSilent, kBadAnswer},
+    kBadAnswer,
     "'bno055'"};
 }
 
-Trouble imu(const char * name, const emulator::Vn100Trouble & what, const char * words)
+Trouble imu(
+  const char * name, const emulator::Vn100Trouble & what, IoFaultKind kind, const char * words)
 {
   return {
     name,
     kImuPeriod_s,
     [what](EmulatedDevices & d) { d.imu().set_trouble(what); },
     [](EmulatedDevices & d) { d.imu().set_trouble({}); },
-    {kSilent, kBadAnswer},
+    kind,
     words};
 }
 
@@ -132,7 +132,7 @@ Trouble other_imu(const char * name, const char * model, const char * serial, co
       d.imu().replace("VN-100T-CR", d.devices().imu.serial_number);
       d.imu().plug();
     },
-    {kSilent, kBadAnswer},
+    kBadAnswer,
     words};
 }
 
@@ -143,7 +143,7 @@ Trouble servos(const char * name, const emulator::HerkulexFaults & what, const c
     kServoPeriod_s,
     [what](EmulatedDevices & d) { d.servos().set_faults(what); },
     [](EmulatedDevices & d) { d.servos().set_faults({}); },
-    {kSilent, kBadAnswer},
+    kSilent,
     words};
 }
 
@@ -157,13 +157,13 @@ Trouble another_servo()
     kServoPeriod_s,
     [number](EmulatedDevices & d) { number(d, kWheel, 9); },
     [number](EmulatedDevices & d) { number(d, 9, kWheel); },
-    {kSilent},
+    kSilent,
     "(servo 3): no answer"};
 }
 
 Trouble lines(const char * name, const Act & strike, const Act & end)
 {
-  return {name, kLinePeriod_s, strike, end, {IoFaultKind::kEmergencyStop}, "emergency stop", true};
+  return {name, kLinePeriod_s, strike, end, IoFaultKind::kEmergencyStop, "emergency stop", true};
 }
 
 std::vector<Trouble> troubles()
@@ -182,32 +182,24 @@ std::vector<Trouble> troubles()
   emulator::HerkulexFaults garbled_servos;
   garbled_servos.garbled = 1.0;
   return {
-    {"range_unplugged", kRangePeriod_s, unplug_range, plug_range, {kSilent}, "0 devices"},
+    {"range_unplugged", kRangePeriod_s, unplug_range, plug_range, kSilent, "0 devices"},
     range(TofTrouble::kNoReply, "range_wires_off", kSilent, "EREMOTEIO"),
     range(TofTrouble::kSilent, "range_silent", kSilent, "ETIMEDOUT"),
     range(TofTrouble::kSlow, "range_slow", kSilent, "accepted: at most 70 ms"),
     range(TofTrouble::kGarbled, "range_garbled", kBadAnswer, "accepted: 0 to 8191"),
     another_kind_of_sensor(),
-    {"imu_unplugged",
-     kImuPeriod_s,
-     [](EmulatedDevices & d) { d.imu().unplug(); },
-     [](EmulatedDevices & d) { d.imu().plug(); },
-     {kSilent},
-     "cannot open"},
-    imu("imu_silent", silent_imu, "no measurement for"),
-    imu("imu_slow", slow_imu, "no measurement for"),
-    imu("imu_garbled", garbled_imu, "garbled"),
+    {"imu_unplugged", kImuPeriod_s, [](EmulatedDevices & d) { d.imu().unplug(); },
+     [](EmulatedDevices & d) { d.imu().plug(); }, kSilent, "cannot open"},
+    imu("imu_silent", silent_imu, kSilent, "no measurement for"),
+    imu("imu_slow", slow_imu, kSilent, "no measurement for"),
+    imu("imu_garbled", garbled_imu, kBadAnswer, "garbled"),
     other_imu("imu_replaced", "VN-100T-CR", "0100099999", "replaced by serial number 0100099999"),
     other_imu("imu_of_another_model", "VN-300T-CR", "0300012345", "model 'VN-300T-CR'"),
-    {"servos_unplugged",
-     kServoPeriod_s,
-     [](EmulatedDevices & d) { d.servos().unplug(); },
-     [](EmulatedDevices & d) { d.servos().plug(); },
-     {kSilent},
-     "servo bus: cannot open"},
+    {"servos_unplugged", kServoPeriod_s, [](EmulatedDevices & d) { d.servos().unplug(); },
+     [](EmulatedDevices & d) { d.servos().plug(); }, kSilent, "servo bus: cannot open"},
     servos("servo_silent", silent_servo, "(servo 7): no answer"),
-    servos("servos_slow", slow_servos, "servo"),
-    servos("servos_garbled", garbled_servos, "servo"),
+    servos("servos_slow", slow_servos, "servo bus: no servo answers"),
+    servos("servos_garbled", garbled_servos, "servo bus: no servo answers"),
     another_servo(),
     lines(
       "lines_unplugged", [](EmulatedDevices & d) { d.lines().set_plugged(kChip, false); },
@@ -215,11 +207,8 @@ std::vector<Trouble> troubles()
     lines(
       "lines_replaced", [](EmulatedDevices & d) { d.lines().replace(kChip, 8); },
       [](EmulatedDevices & d) { d.lines().replace(kChip, 54); }),
-    {"lines_silent",
-     kLinePeriod_s,
-     [](EmulatedDevices & d) { d.lines().set_hanging(true); },
-     [](EmulatedDevices & d) { d.lines().set_hanging(false); },
-     {kSilent},
+    {"lines_silent", kLinePeriod_s, [](EmulatedDevices & d) { d.lines().set_hanging(true); },
+     [](EmulatedDevices & d) { d.lines().set_hanging(false); }, kSilent,
      "contacts: does not answer in time"},
   };
 }
@@ -259,7 +248,18 @@ protected:
     devices_ = &robot->emulated();
     SimulatedWorld & world = *robot;
     bench_.emplace(DriverHardware{std::move(robot), &world, nullptr});
-    bench_->switch_on();
+    EXPECT_TRUE(eventually([this] { return switched_on(); }));
+  }
+
+  /// That it starts is not what this is about: on a busy computer it may take more than one try.
+  bool switched_on()
+  {
+    try {
+      bench_->switch_on();
+      return true;
+    } catch (const HardwareError &) {
+      return false;
+    }
   }
 
   [[nodiscard]] double way_m() const { return motion_.way_m(bench_->truth()); }
@@ -275,16 +275,14 @@ protected:
   bool moves_on()
   {
     const double from_m = way_m();
-    return move(3.0, [&] { return !bench_->refused() && way_m() > from_m + 0.01; });
+    return move(kWellAgainWithin_s, [&] { return !bench_->refused() && way_m() > from_m + 0.01; });
   }
 
   void expect_fault_in_time(Time struck)
   {
     const Trouble & trouble = GetParam();
     EXPECT_LT(time_to_seconds(bench_->now() - struck), 3.0 * trouble.period_s + kMachine_s);
-    const IoFaultKind kind = bench_->refused()->kind;
-    EXPECT_NE(std::count(trouble.kinds.begin(), trouble.kinds.end(), kind), 0) << answer();
-    EXPECT_TRUE(move(kNamedWithin_s, [&] { return is_named(trouble.words); })) << answer();
+    EXPECT_TRUE(move(kNamedWithin_s, [&] { return is_named(trouble); })) << answer();
   }
 
   void expect_hold(double struck_at_m)
@@ -298,9 +296,11 @@ protected:
     EXPECT_TRUE(bench_->refused());
   }
 
-  [[nodiscard]] bool is_named(const std::string & words) const
+  [[nodiscard]] bool is_named(const Trouble & trouble) const
   {
-    return bench_->refused() && bench_->refused()->detail.find(words) != std::string::npos;
+    const auto & fault = bench_->refused();
+    return fault && fault->kind == trouble.kind &&
+           fault->detail.find(trouble.words) != std::string::npos;
   }
 
   [[nodiscard]] std::string answer() const
@@ -328,7 +328,7 @@ protected:
 TEST_P(FaultMatrix, HoldsSaysWhyAndGoesOn)
 {
   const Trouble & trouble = GetParam();
-  ASSERT_TRUE(bench_->steer(test::kHalfPi));
+  ASSERT_TRUE(eventually([this] { return bench_->steer(test::kHalfPi); })) << answer();
   ASSERT_TRUE(moves_on()) << answer();
   const OpenResources well;
   for (const Motion & motion : motions()) {

@@ -23,7 +23,6 @@
 #include <vector>
 
 #include "linux/tof/tof_address.hpp"
-#include "stetro_driver/simulated_world.hpp"
 
 namespace stetro_driver::emulator
 {
@@ -164,7 +163,7 @@ void EmulatedDevices::show(const SensorFrame & frame, double yaw_rad)
   motion.rate_rad_s = frame.gyro.rate_rad_s;
   motion.rate_rad_s[2] = spin_rad_s_.value_or(motion.rate_rad_s[2]);
   motion.acceleration_m_s2 = {0.0, 0.0, kGravity};
-  imu_.set_motion(motion, frame.time - SteppedWorld::kTick);
+  imu_.set_motion(motion, frame.time);  // a tick late, so that nothing is to be foreseen
   if (frame.gyro.fault != imu_silenced_) {
     imu_silenced_ = frame.gyro.fault;
     Vn100Trouble trouble;

@@ -63,8 +63,8 @@ public:
   [[nodiscard]] const linux_io::Devices & devices() const { return devices_; }
   [[nodiscard]] linux_io::LinuxDoors doors() { return {tree_, lines_}; }
 
-  /// What the sensors see from now on, and how the body turned in the tick until then. Ranges in
-  /// trouble do not answer, switches in trouble have a loose wire.
+  /// What the sensors see from now on. Ranges in trouble do not answer, switches in trouble have a
+  /// loose wire.
   void show(const SensorFrame & frame, double yaw_rad);
 
   [[nodiscard]] ChassisDrives drives();

@@ -82,7 +82,7 @@ public:
 
   /// Moves so from now on.
   void set_motion(const ImuMotion & motion) { set_motion(motion, clock_.now()); }
-  /// Moves so since a time: a world that moves in ticks knows it at their ends.
+  /// Moves so since a time, which may be a little ago.
   void set_motion(const ImuMotion & motion, Time since);
   void set_trouble(const Vn100Trouble & trouble);
 
