@@ -25,9 +25,12 @@ namespace stetro_supervisor
 namespace
 {
 
-constexpr std::size_t kWorkATick = 20;  // headings to look up in a tick, or
-constexpr std::size_t kWorkATable = 2;  // fewer by this for each table to be built
-constexpr std::size_t kGuessesATick = 2;
+// What a tick may do and what things cost, in cells that a beam passes while a table is built.
+constexpr std::size_t kWorkATick = 4000000;
+constexpr std::size_t kCellsLookedUp = 2;  // in all tables of a heading at once
+constexpr std::size_t kWorkACell = 50;     // of those that agree
+constexpr std::size_t kWorkAGuess = 5000;
+constexpr std::size_t kLooksATick = 2;
 constexpr std::size_t kFewBeams = 90;
 constexpr double kSpacing_m = 0.25;      // between guesses within one cluster
 constexpr std::size_t kLooked = 30;      // the best guesses, which are looked at closely
@@ -62,14 +65,17 @@ FloorSearch::FloorSearch(
   scan_(std::move(scan)),
   lidar_(lidar),
   beams_(beams_of(*scan_, lidar, params)),
-  few_(Beams{scan_->profile}.thinned(kFewBeams))
+  few_(Beams{scan_->profile}.thinned(kFewBeams)),
+  taken_(kSpacing_m)
 {
 }
 
 std::optional<SearchAnswer> FloorSearch::step()
 {
   if (floor_ < witnesses_.size()) {
-    try_headings();
+    for (std::size_t work = 0; work < kWorkATick && floor_ < witnesses_.size();) {
+      work += try_heading(kWorkATick - work);
+    }
     return std::nullopt;
   }
   if (!ranked_) {
@@ -77,47 +83,69 @@ std::optional<SearchAnswer> FloorSearch::step()
     ranked_ = true;
     return std::nullopt;
   }
-  for (std::size_t i = 0; i < kGuessesATick && next_guess_ < guesses_.size(); ++i) {
+  for (std::size_t i = 0; i < kLooksATick && next_guess_ < guesses_.size(); ++i) {
     verify(guesses_[next_guess_++]);
   }
   return next_guess_ < guesses_.size() ? std::nullopt : std::optional<SearchAnswer>{answer()};
 }
 
-/// As many as a tick has time for: a table takes far longer to build than to look up.
-void FloorSearch::try_headings()
+/// Does about so much for the present heading, or what is left to do. \return what it cost
+std::size_t FloorSearch::try_heading(std::size_t work)
 {
   ProfileWitness & witness = *witnesses_[floor_];
   HeadingTables & tables = witness.headings();
-  std::size_t work = 0;
-  while (heading_ < tables.headings() && work < kWorkATick) {
-    work += 1 + tables.missing(heading_) * kWorkATable;
-    guess(witness, tables.find(beams_, heading_), tables.heading_rad(heading_));
-    ++heading_;
+  if (!tables.is_built(heading_)) {
+    return tables.build(heading_, work);
   }
-  if (heading_ == tables.headings()) {
+  if (!agreeing_) {
+    agreeing_ = tables.find(beams_, heading_);
+    next_cell_ = 0;
+    taken_ = SpacedPoints{kSpacing_m};
+    return witness.floor().grid().cells().size() / kCellsLookedUp;
+  }
+  const std::size_t cost = guess(work);
+  if (next_cell_ == agreeing_->cells.size()) {
+    next_heading();
+  }
+  return cost;
+}
+
+void FloorSearch::next_heading()
+{
+  agreeing_.reset();
+  if (++heading_ == witnesses_[floor_]->headings().headings()) {
     heading_ = 0;
     ++floor_;
   }
 }
 
 /// Places among the cells, a spacing apart: they may be many where beams say little.
-void FloorSearch::guess(
-  ProfileWitness & witness, const AgreeingCells & cells, double scanner_yaw_rad)
+std::size_t FloorSearch::guess(std::size_t work)
 {
-  std::vector<Eigen::Vector2d> taken;
-  for (const auto cell : cells.cells) {
-    const Eigen::Vector2d centre = witness.floor().grid().centre_m(cell);
-    const bool near = std::any_of(taken.begin(), taken.end(), [&](const Eigen::Vector2d & other) {
-      return (other - centre).norm() < kSpacing_m;
-    });
-    if (near || !witness.floor().free_space().is_free(centre)) {
+  ProfileWitness & witness = *witnesses_[floor_];
+  const double scanner_yaw_rad = witness.headings().heading_rad(heading_);
+  std::size_t cost = 0;
+  for (; cost < work && next_cell_ < agreeing_->cells.size(); ++next_cell_) {
+    const Eigen::Vector2d centre = witness.floor().grid().centre_m(agreeing_->cells[next_cell_]);
+    cost += kWorkACell;
+    if (!witness.floor().free_space().is_free(centre) || !taken_.take(centre)) {
       continue;
     }
-    taken.push_back(centre);
+    cost += kWorkAGuess;
     FloorPlace place = base_at({centre, scanner_yaw_rad}, lidar_);
     place.floor_id = witness.floor().id();
-    guesses_.push_back({&witness, place, witness.misfit_m(few_, place)});
+    const double misfit_m = witness.misfit_m(few_, place);
+    if (is_worth_a_look(misfit_m)) {
+      guesses_.push_back({&witness, place, misfit_m});
+      least_misfit_m_ = std::min(least_misfit_m_, misfit_m);
+    }
   }
+  return cost;
+}
+
+bool FloorSearch::is_worth_a_look(double misfit_m) const
+{
+  return misfit_m <= kWorthALook * least_misfit_m_ + kAnywayWorth_m;
 }
 
 void FloorSearch::rank()
@@ -127,8 +155,7 @@ void FloorSearch::rank()
   });
   std::vector<Guess> kept;
   for (const Guess & guess : guesses_) {
-    const double worst_m = kWorthALook * guesses_.front().misfit_m + kAnywayWorth_m;
-    if (kept.size() >= kLooked || guess.misfit_m > worst_m) {
+    if (kept.size() >= kLooked || !is_worth_a_look(guess.misfit_m)) {
       break;
     }
     const bool known = std::any_of(kept.begin(), kept.end(), [&](const Guess & other) {

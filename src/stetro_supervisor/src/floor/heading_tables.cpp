@@ -16,6 +16,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 
 namespace stetro_supervisor
 {
@@ -42,28 +44,49 @@ std::size_t HeadingTables::direction(std::size_t heading, std::size_t beam) cons
   return (heading + beam * (tables_.size() / kScanBeams)) % tables_.size();
 }
 
-std::size_t HeadingTables::missing(std::size_t heading) const
+bool HeadingTables::is_built(std::size_t heading) const
 {
-  std::size_t count = 0;
   for (std::size_t beam = 0; beam < kScanBeams; ++beam) {
-    count += tables_[direction(heading, beam)] ? 0 : 1;
+    if (!tables_[direction(heading, beam)]) {
+      return false;
+    }
   }
-  return count;
+  return true;
 }
 
-AgreeingCells HeadingTables::find(const ScanBeams & beams, std::size_t heading)
+std::size_t HeadingTables::build(std::size_t heading, std::size_t cells)
 {
+  std::size_t passed = 0;
+  for (std::size_t beam = 0; beam < kScanBeams && passed < cells; ++beam) {
+    const std::size_t towards = direction(heading, beam);
+    if (tables_[towards]) {
+      continue;
+    }
+    if (!building_ || built_direction_ != towards) {
+      building_.emplace(grid_, heading_rad(towards) - grid_.frame().yaw_rad);
+      built_direction_ = towards;
+    }
+    passed += building_->work(cells - passed);
+    if (building_->is_done()) {
+      tables_[towards] = building_->take();
+      building_.reset();
+    }
+  }
+  return passed;
+}
+
+AgreeingCells HeadingTables::find(const ScanBeams & beams, std::size_t heading) const
+{
+  if (!is_built(heading)) {
+    throw std::logic_error("heading " + std::to_string(heading) + " has not been built");
+  }
   std::vector<BeamInterval> asked;
   for (std::size_t beam = 0; beam < kScanBeams; ++beam) {
-    const std::size_t towards = direction(heading, beam);
-    if (!tables_[towards]) {
-      tables_[towards].emplace(
-        grid_, heading_rad(towards) - grid_.frame().yaw_rad, Eigen::Vector2d(0.0, 0.0));
-    }
+    const auto & table = tables_[direction(heading, beam)];
     const auto bounds =
       distance_bounds(beams.ranges_m[beam], beams.beams[beam].error, grid_.resolution_m());
     if (bounds) {
-      asked.push_back({&*tables_[towards], bounds->shortest, bounds->longest});
+      asked.push_back({&*table, bounds->shortest, bounds->longest});
     }
   }
   return asked.size() <= kWrongBeams ? AgreeingCells{}

@@ -15,6 +15,7 @@
 #include "stetro_supervisor/four_beams/reach_table.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace stetro_supervisor
 {
@@ -46,17 +47,20 @@ struct Ahead
 
 }  // namespace
 
-ReachTable::ReachTable(const OccupancyGrid & grid, double heading_rad) : cells_(grid.cells().size())
+ReachTable::ReachTable(std::size_t cells) : cells_(cells)
 {
-  const CellReach reach(grid, heading_rad);
   const std::size_t padded = (cells_ + kStretch - 1) / kStretch * kStretch;
   first_.assign(padded, Reach{}.first);
   last_.assign(padded, Reach{}.last);
-  if (reach.step()) {
-    sweep(grid, *reach.step());
-  } else {
-    walk(grid, reach);
+}
+
+ReachTable::ReachTable(const OccupancyGrid & grid, double heading_rad) : cells_(0)
+{
+  ReachTableBuilder builder(grid, heading_rad);
+  while (!builder.is_done()) {
+    builder.work(grid.cells().size());
   }
+  *this = builder.take();
 }
 
 void ReachTable::sweep(const OccupancyGrid & grid, CellIndex step)
@@ -81,15 +85,6 @@ void ReachTable::sweep(const OccupancyGrid & grid, CellIndex step)
   }
 }
 
-void ReachTable::walk(const OccupancyGrid & grid, const CellReach & reach)
-{
-  for (std::size_t offset = 0; offset < cells_; ++offset) {
-    const Reach here = reach.from(grid.cell(offset));
-    first_[offset] = here.first;
-    last_[offset] = here.last;
-  }
-}
-
 ReachTable::ReachTable(
   const OccupancyGrid & grid, double heading_rad, const Eigen::Vector2d & shift_cells)
 : ReachTable(grid, heading_rad)
@@ -108,6 +103,30 @@ ReachTable::ReachTable(
     first_[offset] = reach.first;
     last_[offset] = reach.last;
   }
+}
+
+ReachTableBuilder::ReachTableBuilder(const OccupancyGrid & grid, double heading_rad)
+: grid_(grid), reach_(grid, heading_rad), table_(grid.cells().size())
+{
+}
+
+/// A row or column is swept in one pass, at the price of a look at each cell.
+std::size_t ReachTableBuilder::work(std::size_t cells)
+{
+  if (reach_.step() && !is_done()) {
+    table_.sweep(grid_, *reach_.step());
+    next_ = table_.cells_;
+    return table_.cells_;
+  }
+  const auto diagonal = static_cast<std::size_t>(std::hypot(grid_.columns(), grid_.rows()));
+  std::size_t passed = 0;
+  for (; passed < cells && !is_done(); ++next_) {
+    const Reach here = reach_.from(grid_.cell(next_));
+    table_.first_[next_] = here.first;
+    table_.last_[next_] = here.last;
+    passed += 1 + (here.last > 0 ? std::min<std::size_t>(here.last, diagonal) : 0);
+  }
+  return passed;
 }
 
 }  // namespace stetro_supervisor

@@ -68,6 +68,22 @@ TEST(ReachTable, CountsUpAndDownColumns)
   expect_reach(reach(ReachTable(grid, 5 * kPi / 2), grid, {0, 2}), 1, 1);
 }
 
+TEST(ReachTable, IsTheSameBuiltInParts)
+{
+  std::mt19937 random{20260311};
+  const OccupancyGrid grid = random_room({31, 22, 0.05, {0.0, 0.0}, 0.0}, {}, random);
+  for (const double heading_rad : {0.0, 0.3, 2.2, -kPi / 2}) {
+    const ReachTable whole(grid, heading_rad);
+    ReachTableBuilder builder(grid, heading_rad);
+    while (!builder.is_done()) {
+      ASSERT_GT(builder.work(50), 0u);
+    }
+    const ReachTable parts = builder.take();
+    EXPECT_EQ(parts.first(), whole.first()) << heading_rad;
+    EXPECT_EQ(parts.last(), whole.last()) << heading_rad;
+  }
+}
+
 /// The length of a ray to the first cell that `is_wall`, by the grid lines it crosses [cells].
 /** \return nothing if it leaves the grid */
 template <class IsWall>

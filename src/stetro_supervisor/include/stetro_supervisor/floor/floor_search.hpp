@@ -15,6 +15,7 @@
 #ifndef STETRO_SUPERVISOR__FLOOR__FLOOR_SEARCH_HPP_
 #define STETRO_SUPERVISOR__FLOOR__FLOOR_SEARCH_HPP_
 
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -22,6 +23,7 @@
 
 #include "stetro_supervisor/floor/profile_witness.hpp"
 #include "stetro_supervisor/floor/scan_beams.hpp"
+#include "stetro_supervisor/floor/spaced_points.hpp"
 
 namespace stetro_supervisor
 {
@@ -45,7 +47,8 @@ struct SearchAnswer
  *  3. The trusted centre of mass looks at each: one that explains the scan is the answer; several
  *     that do, none of them ruled out by beams through its walls, are ambiguous.
  *
- * The robot stands meanwhile, so the work is cut into steps that fit a tick. For one thread.
+ * The robot stands meanwhile, so the work is cut into steps that fit a tick, by what is counted and
+ * not by a clock: the same scan takes the same steps. For one thread.
  */
 class FloorSearch
 {
@@ -74,8 +77,10 @@ private:
     Testimony testimony;
   };
 
-  void try_headings();
-  void guess(ProfileWitness & witness, const AgreeingCells & cells, double scanner_yaw_rad);
+  std::size_t try_heading(std::size_t work);
+  std::size_t guess(std::size_t work);
+  void next_heading();
+  [[nodiscard]] bool is_worth_a_look(double misfit_m) const;
   void rank();
   void verify(const Guess & guess);
   [[nodiscard]] SearchAnswer answer() const;
@@ -85,10 +90,14 @@ private:
   stetro_site::Lidar lidar_;
   ScanBeams beams_;
   Beams few_;
-  std::size_t floor_ = 0;    // whose headings are tried
-  std::size_t heading_ = 0;  // the next of them
+  std::size_t floor_ = 0;                  // whose headings are tried
+  std::size_t heading_ = 0;                // the present one of them
+  std::optional<AgreeingCells> agreeing_;  // with that heading, once they have been looked up
+  std::size_t next_cell_ = 0;              // of those
+  SpacedPoints taken_;                     // of those
   bool ranked_ = false;
   std::vector<Guess> guesses_;
+  double least_misfit_m_ = std::numeric_limits<double>::infinity();  // of them
   std::size_t next_guess_ = 0;
   std::vector<Verified> verified_;
 };

@@ -45,17 +45,24 @@ public:
   /// Of the scanner, in the floor's frame [rad].
   [[nodiscard]] double heading_rad(std::size_t heading) const;
 
-  /// How many tables are still to be built before this heading can be asked.
-  [[nodiscard]] std::size_t missing(std::size_t heading) const;
+  /// Builds what this heading needs until beams have passed about so many cells.
+  /** \return how many they have passed; 0 if nothing was missing */
+  std::size_t build(std::size_t heading, std::size_t cells);
+
+  /// All tables of this heading are built.
+  [[nodiscard]] bool is_built(std::size_t heading) const;
 
   /// Where the scanner may stand if it faces so: `kWrongBeams` of the ranges may be wrong.
-  [[nodiscard]] AgreeingCells find(const ScanBeams & beams, std::size_t heading);
+  /** \throws std::logic_error unless the heading is built */
+  [[nodiscard]] AgreeingCells find(const ScanBeams & beams, std::size_t heading) const;
 
 private:
   [[nodiscard]] std::size_t direction(std::size_t heading, std::size_t beam) const;
 
   const stetro_site::OccupancyGrid & grid_;
   std::vector<std::optional<ReachTable>> tables_;  // by direction, in steps of a heading
+  std::optional<ReachTableBuilder> building_;      // of one of them
+  std::size_t built_direction_ = 0;                // which
 };
 
 }  // namespace stetro_supervisor

@@ -17,6 +17,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "stetro_site/occupancy_grid.hpp"
@@ -74,12 +75,37 @@ public:
   static constexpr std::size_t kStretch = 64;
 
 private:
+  friend class ReachTableBuilder;
+
+  explicit ReachTable(std::size_t cells);
   void sweep(const stetro_site::OccupancyGrid & grid, stetro_site::CellIndex step);
-  void walk(const stetro_site::OccupancyGrid & grid, const CellReach & reach);
 
   std::size_t cells_;
   std::vector<CellDistance> first_;
   std::vector<CellDistance> last_;
+};
+
+/// Builds a `ReachTable` of unshifted beams part by part: a large one takes a tenth of a second.
+class ReachTableBuilder
+{
+public:
+  /// As of `ReachTable`; `grid` outlives the builder.
+  ReachTableBuilder(const stetro_site::OccupancyGrid & grid, double heading_rad);
+
+  /// Works on until beams have passed about so many cells, or until the table is done.
+  /** \return how many they have passed */
+  std::size_t work(std::size_t cells);
+
+  [[nodiscard]] bool is_done() const noexcept { return next_ == table_.cells_; }
+
+  /// The table, done as far as it has been worked on.
+  [[nodiscard]] ReachTable take() { return std::move(table_); }
+
+private:
+  const stetro_site::OccupancyGrid & grid_;
+  CellReach reach_;
+  ReachTable table_;
+  std::size_t next_ = 0;  ///< offset of the cell that is worked out next
 };
 
 }  // namespace stetro_supervisor
