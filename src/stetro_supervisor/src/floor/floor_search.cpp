@@ -19,6 +19,7 @@
 #include <utility>
 
 #include "stetro_site/frame_transform.hpp"
+#include "stetro_supervisor/profile/trusted_centre_of_mass.hpp"
 
 namespace stetro_supervisor
 {
@@ -38,7 +39,6 @@ constexpr double kWorthALook = 2.0;      // times the least misfit, and
 constexpr double kAnywayWorth_m = 0.10;  // this much more
 constexpr double kOnePlace_m = 0.20;     // verified places nearer to each other are one
 constexpr double kOneHeading_rad = 0.15;
-constexpr double kTellApart = 2.0;  // as TrustParams::tell_apart
 
 bool are_near(const FloorPlace & a, const FloorPlace & b)
 {
@@ -202,7 +202,7 @@ SearchAnswer FloorSearch::answer() const
   const double contradiction = best->testimony.finding.best.beams.contradiction;
   for (const Verified & other : verified_) {
     const bool rivals =
-      other.testimony.finding.best.beams.contradiction < contradiction + kTellApart;
+      other.testimony.finding.best.beams.contradiction < contradiction + TrustParams{}.tell_apart;
     if (&other != &*best && rivals) {
       answer.alternatives.push_back(other.place);
     }
