@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "stetro_supervisor/four_beams/cell_reach.hpp"
 
@@ -37,17 +38,25 @@ std::ptrdiff_t index_towards(const stetro_site::BeamFan & fan, double direction_
   return index >= 0 && index < static_cast<std::ptrdiff_t>(fan.count) ? index : -1;
 }
 
+/// What most of the three rays about a beam say, as REP 117; NaN where they say nothing together.
 double median_about(const RangeProfile & profile, std::ptrdiff_t index)
 {
-  std::array<double, 3> ranges_m{};
   const auto count = static_cast<std::ptrdiff_t>(profile.ranges_m.size());
-  for (std::ptrdiff_t i = 0; i < 3; ++i) {
-    const auto at = static_cast<std::size_t>((index + i - 1 + count) % count);
-    const double range = profile.ranges_m[at];
-    ranges_m[static_cast<std::size_t>(i)] = std::isfinite(range) ? range : HUGE_VAL;
+  std::vector<double> said_m;
+  for (std::ptrdiff_t i = -1; i <= 1; ++i) {
+    const double range_m = profile.ranges_m[static_cast<std::size_t>((index + i + count) % count)];
+    if (!std::isnan(range_m)) {
+      said_m.push_back(range_m);
+    }
   }
-  std::sort(ranges_m.begin(), ranges_m.end());
-  return std::isfinite(ranges_m[1]) ? ranges_m[1] : std::nan("");
+  std::sort(said_m.begin(), said_m.end());
+  if (said_m.size() < 2) {
+    return std::nan("");
+  }
+  const double lower_m = said_m[(said_m.size() - 1) / 2];
+  const double upper_m = said_m[said_m.size() / 2];
+  const bool one_kind = std::isfinite(lower_m) && std::isfinite(upper_m);
+  return lower_m == upper_m ? lower_m : one_kind ? 0.5 * (lower_m + upper_m) : std::nan("");
 }
 
 }  // namespace
@@ -57,7 +66,7 @@ ScanBeams beams_of(const Scan & scan, const stetro_site::Lidar & lidar, const Fl
   RangeError error;
   error.short_m = error.long_m = params.beam_error_m;
   error.short_share = error.long_share = kShare;
-  error.dependable_m = lidar.max_range_m;
+  error.dependable_m = std::min(params.dependable_m, lidar.max_range_m);
   error.too_near_m = lidar.min_range_m;
   ScanBeams few;
   for (std::size_t i = 0; i < kScanBeams; ++i) {

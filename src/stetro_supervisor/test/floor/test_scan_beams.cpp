@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include "stetro_supervisor/floor/scan_beams.hpp"
@@ -64,8 +65,7 @@ protected:
 bool searched(const DrawnFloor & floor, const ScanBeams & beams, const FloorPlace & place)
 {
   const auto speaking = std::count_if(
-    beams.ranges_m.begin(), beams.ranges_m.end(),
-    [](double range) { return std::isfinite(range); });
+    beams.ranges_m.begin(), beams.ranges_m.end(), [](double range) { return !std::isnan(range); });
   if (speaking < static_cast<std::ptrdiff_t>(kWrongBeams + 2)) {
     return true;
   }
@@ -91,6 +91,49 @@ TEST_F(ScanBeamsTest, AllowAPlaceAsTheSearchOfTheWholeFloorWould)
   }
   EXPECT_GT(allowed, 36) << "the true places";
   EXPECT_LT(allowed, 64) << "and not all others";
+}
+
+TEST_F(ScanBeamsTest, SayWhatMostOfTheirRaysSay)
+{
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  const double nothing = std::nan("");
+  Scan scan;
+  scan.profile.fan = {0.0, kTurn_rad / 360.0, 360};
+  scan.profile.ranges_m.assign(360, 2.0);
+  const auto about = [&](std::size_t beam, double left, double middle, double right) {
+    scan.profile.ranges_m[(beam * 45 + 359) % 360] = left;
+    scan.profile.ranges_m[beam * 45] = middle;
+    scan.profile.ranges_m[beam * 45 + 1] = right;
+  };
+  about(0, kNone, 3.0, kNone);
+  about(1, 3.0, kNone, 4.0);
+  about(2, -kNone, -kNone, 1.0);
+  about(3, nothing, kNone, nothing);
+  about(4, nothing, 3.0, 5.0);
+  about(5, nothing, 3.0, kNone);
+  about(6, nothing, kNone, kNone);
+  const auto beams = beams_of(scan, lidar, params);
+  EXPECT_EQ(beams.ranges_m[0], kNone) << "two of three have no return";
+  EXPECT_EQ(beams.ranges_m[1], 4.0) << "one that was dropped";
+  EXPECT_EQ(beams.ranges_m[2], -kNone) << "too near";
+  EXPECT_TRUE(std::isnan(beams.ranges_m[3])) << "one ray alone is no majority";
+  EXPECT_EQ(beams.ranges_m[4], 4.0);
+  EXPECT_TRUE(std::isnan(beams.ranges_m[5])) << "one against one";
+  EXPECT_EQ(beams.ranges_m[6], kNone);
+  EXPECT_EQ(beams.ranges_m[7], 2.0);
+}
+
+// Nothing within the lidar's reach in five directions of eight is not the corner of a small room.
+TEST_F(ScanBeamsTest, NoReturnExcludesPlacesNearWalls)
+{
+  const FloorPlace corner{"ground", {0.5, 0.5}, 0.2, Eigen::Matrix3d::Zero()};
+  Scan scan;
+  scan.profile.fan = {0.0, kTurn_rad / 360.0, 360};
+  scan.profile.ranges_m.assign(360, std::numeric_limits<double>::infinity());
+  EXPECT_FALSE(beams_allow(floor, beams_of(scan, lidar, params), corner));
+  params.dependable_m = 0.0;
+  EXPECT_TRUE(beams_allow(floor, beams_of(scan, lidar, params), corner))
+    << "a lidar that is not depended upon";
 }
 
 TEST_F(ScanBeamsTest, TooFewExcludeNothing)

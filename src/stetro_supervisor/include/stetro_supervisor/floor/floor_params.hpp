@@ -62,6 +62,7 @@ struct FloorParams
   double agree_sigmas = 3.5;
   std::int64_t doubts = 2;
   double beam_error_m = 0.12;
+  double dependable_m = 12.0;
   double search_heading_rad = 0.05;
   double search_pause_s = 0.3;
 };
@@ -145,6 +146,11 @@ void visit(FloorParams & p, Visitor && each)
   each(
     "floor.beam_error_m", p.beam_error_m, Within{0.01, 1.0},
     "error of a range in the four-beam search, map and heading included [m]");
+  each(
+    "floor.dependable_m", p.dependable_m, Within{0.0, 100.0},
+    "what is nearer returns to most rays of a beam, so that no return says that nothing is; at "
+    "most "
+    "the lidar's max_range_m; 0: no return says nothing [m]");
   each(
     "floor.search_heading_rad", p.search_heading_rad, Within{0.01, 0.5},
     "between the headings that a search tries [rad]");

@@ -30,13 +30,15 @@ namespace stetro_supervisor
 /// A few single beams of a scan, for the search by few beams (S-G).
 /**
  * Eight, every eighth of a turn from the lidar's x axis: the four of S-G and those between, so that
- * some may be wrong. Each is the median of the lidar's three beams about its direction, and says
- * nothing where two of them have no return: a lidar drops beams, and a dropped one is no far wall.
+ * some may be wrong. Each is the median of the lidar's three rays about its direction. Where two of
+ * them have no return, it has none either: nothing stands within `floor.dependable_m`. One alone is
+ * no news, for a lidar drops rays.
  */
 struct ScanBeams
 {
   std::vector<RangeBeam> beams;
-  std::vector<double> ranges_m;  ///< of each; NaN says nothing
+  /// Of each, as REP 117: +inf no return, -inf too near, NaN says nothing.
+  std::vector<double> ranges_m;
 };
 
 constexpr std::size_t kScanBeams = 8;
