@@ -19,8 +19,7 @@
 
 #include "stetro_site/frame_transform.hpp"
 #include "stetro_supervisor/profile/contraction.hpp"
-#include "stetro_supervisor/profile/determination.hpp"
-#include "stetro_supervisor/profile/trusted_centre_of_mass.hpp"
+#include "stetro_supervisor/profile/scan_check.hpp"
 
 namespace stetro_supervisor
 {
@@ -31,24 +30,17 @@ constexpr double kMisfitCap_m = 0.3;
 constexpr double kContracts = 0.5;  // the centroid's steps halve an error or better
 constexpr double kMostInflation = 10.0;
 constexpr double kGuessRadius_m = 0.5;
-/// A position that the map does not promise this well has a free direction.
-constexpr double kDetermined_m = 0.0125;
-
-BeamNoise noise_of(const stetro_site::Lidar & lidar, const FloorParams & params)
+/// The robot's lidar on a floor: as `scripts/profiles` evaluates lidars on maps.
+ScanCheckParams checks_of(
+  const DrawnFloor & floor, const stetro_site::Lidar & lidar, const FloorParams & params)
 {
-  BeamNoise noise;
-  noise.range_sigma_m = lidar.sigma_m;
-  noise.map_sigma_m = params.map_sigma_m;
-  return noise;
-}
-
-DescentParams descent_of(const DrawnFloor & floor, const stetro_site::Lidar & lidar)
-{
-  DescentParams descent;
-  descent.reach_m = lidar.max_range_m;
   const bool cells = std::holds_alternative<stetro_site::GridMapFile>(floor.floor().drawing);
-  descent.wall_baseline_m = cells ? 4.0 * floor.grid().resolution_m() : 0.0;
-  return descent;
+  ScanSetup setup;
+  setup.range_sigma_m = lidar.sigma_m;
+  setup.reach_m = lidar.max_range_m;
+  setup.map_sigma_m = params.map_sigma_m;
+  setup.resolution_m = cells ? floor.grid().resolution_m() : 0.0;
+  return scan_check_params(setup);
 }
 
 /// Without a search of its own: whoever guesses has searched.
@@ -103,13 +95,14 @@ public:
   : floor(drawn),
     lidar(mounted),
     params(given),
+    checks(checks_of(drawn, mounted, given)),
     headings(drawn.grid(), given.search_heading_rad),
     around(
       drawn.walls(), [this](const Eigen::Vector2d & p) { return floor.free_space().is_free(p); },
-      noise_of(mounted, given), TrustParams{}, descent_of(drawn, mounted)),
+      checks.noise, checks.trust, checks.descent),
     near(
       drawn.walls(), [this](const Eigen::Vector2d & p) { return floor.free_space().is_free(p); },
-      noise_of(mounted, given), TrustParams{}, for_guesses(descent_of(drawn, mounted)))
+      checks.noise, checks.trust, for_guesses(checks.descent))
   {
   }
 
@@ -137,6 +130,7 @@ public:
   const DrawnFloor & floor;
   stetro_site::Lidar lidar;
   FloorParams params;
+  ScanCheckParams checks;
   HeadingTables headings;
   TrustedCentreOfMass around;
   TrustedCentreOfMass near;
@@ -158,16 +152,12 @@ private:
     const double position_m2 = params.pose_sigma_m * params.pose_sigma_m;
     const double heading_rad2 = params.pose_sigma_rad * params.pose_sigma_rad;
     const Eigen::Vector3d own{position_m2, position_m2, heading_rad2};
-    DeterminationParams given;
-    given.reach_m = lidar.max_range_m;
-    given.noise = noise_of(lidar, params);
+    const ExplainedPlace & best = testimony.finding.best;
     const Determination told =
-      determination(floor.walls(), testimony.finding.best.pose.position_m, given);
-    Eigen::Matrix3d all =
-      widened(inflation * testimony.finding.best.covariance, told, kDetermined_m);
+      determination(floor.walls(), best.pose.position_m, checks.determination);
+    Eigen::Matrix3d all = widened(inflation * best.covariance, told, checks.determined_sigma_m);
     // base_link turns about the scanner: the heading's error moves it by its lever arm
-    const Eigen::Vector2d lever =
-      testimony.found->position_m - testimony.finding.best.pose.position_m;
+    const Eigen::Vector2d lever = testimony.found->position_m - best.pose.position_m;
     Eigen::Matrix3d moved = Eigen::Matrix3d::Identity();
     moved(0, 2) = -lever.y();
     moved(1, 2) = lever.x();

@@ -27,6 +27,7 @@ namespace
 
 /// Headings are searched this many standard deviations about the believed one.
 constexpr double kYawSigmas = 3.0;
+constexpr double kCellSigma = 0.3;  // of an even error within a cell, 1 / sqrt(12), in cells
 
 /// Why a check of the profiles may fail at a right place: the floor is not as it was mapped.
 bool is_for_the_ends(NoVerdictReason reason)
@@ -38,15 +39,25 @@ bool is_for_the_ends(NoVerdictReason reason)
 
 }  // namespace
 
-ScanCheckParams scan_check_params(double resolution_m)
+ScanCheckParams scan_check_params(const ScanSetup & setup)
 {
   ScanCheckParams params;
-  params.noise.range_sigma_m = 0.02;
-  params.noise.map_sigma_m = 0.3 * resolution_m;  // of an even error within a cell, 1 / sqrt(12)
+  params.noise.range_sigma_m = setup.range_sigma_m;
+  params.noise.map_sigma_m = std::hypot(setup.map_sigma_m, kCellSigma * setup.resolution_m);
   params.noise.wall_correlation_m = 0.5;
-  params.descent.reach_m = 12.0;
-  params.descent.wall_baseline_m = 6.0 * resolution_m;
-  params.determination.reach_m = params.descent.reach_m;
+  params.descent.reach_m = setup.reach_m;
+  params.descent.wall_baseline_m = 6.0 * setup.resolution_m;
+  params.determination.reach_m = setup.reach_m;
+  params.determination.noise = params.noise;
+  return params;
+}
+
+ScanCheckParams scan_check_params(double resolution_m)
+{
+  ScanSetup setup;
+  setup.resolution_m = resolution_m;
+  ScanCheckParams params = scan_check_params(setup);
+  params.determination.noise = DeterminationParams{}.noise;
   return params;
 }
 

@@ -130,7 +130,7 @@ void visit(FloorParams & p, Visitor && each)
     "heading of the told pose, least standard deviation that a check allows for [rad]");
   each(
     "floor.map_sigma_m", p.map_sigma_m, Within{0.0, 0.2},
-    "error of the walls in the site file, across them [m]");
+    "error of the walls in the site file, across them; cells of a map add their own [m]");
   each(
     "floor.pose_sigma_m", p.pose_sigma_m, Within{0.001, 0.2},
     "added to the position that a profile tells: stamps, tilt, mounting [m]");

@@ -53,11 +53,24 @@ struct ScanCheckParams
   double determined_sigma_m = 0.0125;
 };
 
-/// For a lidar of 12 m on a map of cells, or of drawn walls (`resolution_m` 0).
+/// A lidar, and how its floor is drawn.
+struct ScanSetup
+{
+  double range_sigma_m = 0.02;  ///< of one range
+  double reach_m = 12.0;        ///< of a beam
+  double map_sigma_m = 0.0;     ///< of the walls that were drawn or mapped, across them
+  double resolution_m = 0.0;    ///< of a map of cells; 0: drawn walls
+};
+
+/// How such a lidar is checked on such a floor.
 /**
  * TrustParams and DescentParams by themselves are for a map that is exact to its stated error. A
- * map of cells errs by its cells.
+ * map of cells errs by its cells as well, evenly within one, and its walls are stairs.
  */
+[[nodiscard]] ScanCheckParams scan_check_params(const ScanSetup & setup);
+
+/// The same for a lidar of 12 m on a map of cells, or of drawn walls (`resolution_m` 0).
+/** The map's bound is asked for walls as they are known at best, wherever they are drawn. */
 [[nodiscard]] ScanCheckParams scan_check_params(double resolution_m);
 
 /// The check of a pose on a floor as it is used: profiles first, then the ends of the beams.
