@@ -17,14 +17,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "stetro_site/floor_speeds.hpp"
+
 namespace stetro_localizer
 {
-namespace
-{
-
-constexpr double kFastest = 0.2;  // the robot moves [m/s] and turns [rad/s]
-
-}  // namespace
 
 BuildingEstimator::BuildingEstimator(const LocalizerSetup & setup)
 : params_(setup.params),
@@ -230,13 +226,15 @@ bool BuildingEstimator::contradicts(const PoseCorrection & correction) const
   const stetro_site::Covariance told_doubt = below.T_map_segment.to_map(correction.covariance);
   // The pose is of now, the correction of a while ago.
   const double age_s = std::abs(seconds(crossing->time - correction.stamp));
-  const double moved = kFastest * age_s;  // [m], [rad]
+  const double moved_m = stetro_site::FloorSpeeds{}.roll_m_s * age_s;
+  const double turned_rad = stetro_site::FloorSpeeds{}.turn_rad_s * age_s;
   FixInnovation innovation;
   innovation.value << told.x_m - crossing->pose.x_m, told.y_m - crossing->pose.y_m,
     stetro_site::wrap_angle(told.yaw_rad - crossing->pose.yaw_rad);
   innovation.covariance =
     crossing->covariance.topLeftCorner<3, 3>() + stetro_site::planar(told_doubt);
-  innovation.covariance.diagonal().array() += moved * moved;
+  innovation.covariance.diagonal() +=
+    Eigen::Vector3d(moved_m * moved_m, moved_m * moved_m, turned_rad * turned_rad);
   return innovation.nis() > correction_nis_;
 }
 

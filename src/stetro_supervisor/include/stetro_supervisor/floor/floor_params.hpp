@@ -19,6 +19,7 @@
 
 #include "stetro_config/fault.hpp"
 #include "stetro_config/rule.hpp"
+#include "stetro_site/floor_speeds.hpp"
 
 namespace stetro_supervisor
 {
@@ -27,10 +28,10 @@ namespace stetro_supervisor
 struct FloorParams
 {
   // speeds
-  double speed_m_s = 0.3;
+  double speed_m_s = stetro_site::FloorSpeeds{}.roll_m_s;
   double roll_off_m_s = 0.10;
   double creep_m_s = 0.05;
-  double turn_rad_s = 0.4;
+  double turn_rad_s = stetro_site::FloorSpeeds{}.turn_rad_s;
   // places
   double margin_m = 0.07;
   double resolution_m = 0.05;
