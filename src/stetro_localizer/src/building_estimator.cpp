@@ -206,16 +206,18 @@ void BuildingEstimator::hand_over_to_floor()
   }
 }
 
-// Whether a correction of the floor below contradicts the pose on step 0.
+// Whether a correction contradicts the pose on step 0: far off on the floor below, or on another.
 bool BuildingEstimator::contradicts(const PoseCorrection & correction) const
 {
   const StairEstimate & estimate = present_->estimate();
   const int floor = drawn_floor(correction.floor_id);
   if (
     on_floor() || estimate.step != 0 || floor < 0 ||
-    flight().spec().lower_floor != correction.floor_id ||
     correction.reset_counter != estimate.reset_counter) {
     return false;
+  }
+  if (flight().spec().lower_floor != correction.floor_id) {
+    return true;
   }
   const auto crossing = present_->leave();
   if (!crossing) {

@@ -129,7 +129,6 @@ TEST(BuildingEstimator, RefusesCorrectionsThatAreStaleOrUnfit)
     return rig.building.take_correction(correction, now);
   };
   EXPECT_EQ(take(correction_at("ground", here, now, 0)), CorrectionOutcome::kStaleCounter);
-  EXPECT_EQ(take(correction_at("landing", here, now, 1)), CorrectionOutcome::kOtherFloor);
   EXPECT_EQ(take(correction_at("cellar", here, now, 1)), CorrectionOutcome::kOtherFloor);
   EXPECT_EQ(
     take(correction_at("ground", here, now + milliseconds(500), 1)), CorrectionOutcome::kFuture);
@@ -141,6 +140,8 @@ TEST(BuildingEstimator, RefusesCorrectionsThatAreStaleOrUnfit)
   bad = correction_at("ground", here, now, 1);
   bad.pose.x_m = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(take(bad), CorrectionOutcome::kUnfit);
+  const Nanoseconds before = now - milliseconds(100);
+  EXPECT_EQ(take(correction_at("landing", here, before, 1)), CorrectionOutcome::kOtherFloor);
   EXPECT_EQ(take(correction_at("ground", here, now, 1)), CorrectionOutcome::kFused);
   EXPECT_EQ(take(correction_at("ground", here, now, 1)), CorrectionOutcome::kOutOfOrder);
   EXPECT_EQ(rig.building.estimate().integrity, Integrity::kOk);
@@ -236,6 +237,25 @@ TEST(BuildingEstimator, ACorrectionThatContradictsStepZeroTakesItBackToTheFloor)
   EXPECT_EQ(contradict(), CorrectionOutcome::kGated);
   EXPECT_EQ(contradict(), CorrectionOutcome::kGated);
   EXPECT_EQ(contradict(), CorrectionOutcome::kGatedLost);
+}
+
+// Carried up to the landing, from the floor or from before the stairs: its corrections find it.
+TEST(BuildingEstimator, IsFoundOnTheFloorThatItWasCarriedTo)
+{
+  for (const double x_m : {2.0, 4.5}) {
+    Rig rig;
+    rig.robot.drive(1.0, 0.0);
+    ASSERT_FALSE(rig.building.tell_pose("ground", {x_m, 1.0, 0.0, 0.0}, kTold));
+    rig.robot.drive(0.5, 0.0);
+    ASSERT_EQ(rig.building.segment().id, x_m < 3.0 ? "ground" : "lower");
+    for (int i = 0; i < 8 && rig.building.segment().id != "landing"; ++i) {
+      rig.robot.drive(0.5, 0.0);
+      rig.correct("landing", {11.0, 4.0, 0.0, 1.0});
+    }
+    EXPECT_EQ(rig.building.segment().id, "landing") << x_m;
+    EXPECT_EQ(rig.building.estimate().integrity, Integrity::kOk);
+    EXPECT_NEAR(rig.building.estimate().pose.x_m, 11.0, 0.01);
+  }
 }
 
 TEST(BuildingEstimator, FindsTheSegmentOfAPoseInMap)

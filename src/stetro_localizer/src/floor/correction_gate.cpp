@@ -58,10 +58,8 @@ CorrectionOutcome CorrectionGate::judge(FloorFilter & filter, const PoseFix & fi
   if (trust_ != Trust::kKnown) {
     return find(filter, fix, floor);
   }
-  if (floor != floor_) {
-    return CorrectionOutcome::kOtherFloor;
-  }
-  if (filter.innovation(fix).nis() <= limits_.nis) {
+  const bool here = floor == floor_;
+  if (here && filter.innovation(fix).nis() <= limits_.nis) {
     filter.correct(fix);
     trust(floor);
     return CorrectionOutcome::kFused;
@@ -74,7 +72,7 @@ CorrectionOutcome CorrectionGate::judge(FloorFilter & filter, const PoseFix & fi
     keep(filter, fix, floor);
   }
   if (agreeing_ < limits_.lost_streak) {
-    return CorrectionOutcome::kGated;
+    return here ? CorrectionOutcome::kGated : CorrectionOutcome::kOtherFloor;
   }
   distrust(Trust::kLost, floor_);
   return CorrectionOutcome::kGatedLost;

@@ -195,9 +195,6 @@ CorrectionOutcome FloorEstimator::take_correction(
   if (correction.reset_counter != estimate_.reset_counter) {
     return CorrectionOutcome::kStaleCounter;
   }
-  if (located() && floor != now_.gate.floor()) {
-    return CorrectionOutcome::kOtherFloor;
-  }
   if (correction.stamp <= last_fix_) {
     return CorrectionOutcome::kOutOfOrder;
   }

@@ -124,6 +124,21 @@ TEST_F(CorrectionGateTest, IsLostWhenAStreakOfRefusedOnesAgrees)
   EXPECT_FALSE(gate.has_rival()) << "others must find it";
 }
 
+// Carried upstairs: what agrees is on another floor, and one of the pose's own is no part of it.
+TEST_F(CorrectionGateTest, IsLostWhenAStreakOfAnotherFloorAgrees)
+{
+  gate.trust(kHall);
+  EXPECT_EQ(gate.judge(filter, fix_at(2.0, 1.0, 0.0), kLobby), CorrectionOutcome::kOtherFloor);
+  EXPECT_EQ(gate.judge(filter, fix_at(2.0, 1.0, 0.0), kHall), CorrectionOutcome::kGated);
+  EXPECT_EQ(gate.judge(filter, fix_at(2.0, 1.0, 0.0), kLobby), CorrectionOutcome::kOtherFloor);
+  EXPECT_EQ(gate.judge(filter, fix_at(2.0, 1.0, 0.0), kLobby), CorrectionOutcome::kOtherFloor);
+  EXPECT_EQ(gate.trust(), Trust::kKnown) << "the one between broke the streak";
+  EXPECT_EQ(gate.judge(filter, fix_at(2.0, 1.0, 0.0), kLobby), CorrectionOutcome::kGatedLost);
+  EXPECT_EQ(gate.judge(filter, fix_at(2.0, 1.0, 0.0), kLobby), CorrectionOutcome::kAwaited);
+  EXPECT_EQ(gate.judge(filter, fix_at(2.0, 1.0, 0.0), kLobby), CorrectionOutcome::kReset);
+  EXPECT_EQ(gate.floor(), kLobby);
+}
+
 TEST_F(CorrectionGateTest, IsNotLostWhenTheRefusedOnesDisagree)
 {
   gate.trust(kHall);

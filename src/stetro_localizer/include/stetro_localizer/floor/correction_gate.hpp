@@ -69,7 +69,8 @@ struct GateLimits
  * A correction that is not used becomes the rival: a filter of its own that moves on by the same
  * wheels and gyroscope. The next one agrees with it if it passes the same gate there, so that the
  * motion between the two is taken out and its doubt counted; then both are in the rival. What began
- * the doubt does not end it: when the pose is lost, the rival goes, and two others must agree.
+ * the doubt does not end it: when the pose is lost, the rival goes, and two others must agree. A
+ * correction of another floor than the pose's is refused likewise: a robot can be carried upstairs.
  *
  * Trivially copyable.
  */
