@@ -82,7 +82,19 @@ void Journey::go_on()
     return;
   }
   const Route route = find_route(site_, floor_, goal_);
-  drive_to_foot(site_.flight(route.segments.at(1)));
+  if (route.segments.size() < 2) {
+    give_up("no way to '" + goal_ + "' from '" + floor_ + "': " + route.refusal);
+    return;
+  }
+  drive_to_foot(site_.flight(route.segments[1]));
+}
+
+/// A robot that somebody has carried to where its goal cannot be reached from.
+void Journey::give_up(const std::string & why)
+{
+  part_ = Part::kAborted;
+  drive_.restore(why);
+  tell(why);
 }
 
 const Flight * Journey::flight_to_leave(const FloorPlace & place) const

@@ -176,6 +176,32 @@ TEST_F(JourneyTest, FindsItselfAfterAKidnapAndGoesOn)
   EXPECT_NEAR(house.in_map().y_m, 1.025, 0.1);
 }
 
+TEST_F(JourneyTest, SetsOutAnewFromTheFloorThatItWasCarriedTo)
+{
+  go("first");
+  ASSERT_TRUE(run_until(20.0, [this] { return mission->status().state_name == "floor_roll"; }));
+  house.kidnap("landing", {7.2, 1.3, 0.0, 2.1});
+  ASSERT_TRUE(run_until(30.0, [this] { return house.resets == 1; })) << where();
+  ASSERT_TRUE(run_until(900.0, [this] { return finished(); })) << where();
+  EXPECT_NE(log.find("found on 'landing'"), std::string::npos) << log;
+  EXPECT_EQ(house.segment(), "first");
+}
+
+TEST_F(JourneyTest, IsAbortedWhenItWasCarriedPastItsGoal)
+{
+  go("lower");
+  ASSERT_TRUE(run_until(20.0, [this] { return mission->status().state_name == "floor_roll"; }));
+  house.kidnap("landing", {7.2, 1.3, 0.0, 2.1});
+  ASSERT_TRUE(
+    run_until(60.0, [this] { return mission->status().mission == MissionState::kAborted; }))
+    << where();
+  EXPECT_NE(mission->status().detail.find("no way to 'lower' from 'landing'"), std::string::npos)
+    << mission->status().detail;
+  EXPECT_FALSE(tick().moves());
+  go("first");
+  ASSERT_TRUE(run_until(900.0, [this] { return finished(); })) << where();
+}
+
 // What it was about to do, straight on off the stairs, was for another place.
 TEST_F(JourneyTest, SetsOutAnewFromWhereItIsFoundAfterAKidnap)
 {

@@ -43,6 +43,8 @@ namespace stetro_supervisor
  *              Done on the floor that was the goal
  *   ToFoot, RollOff, and Climb before its first step
  *            --(waits for the pose, and the localizer has found another on a floor)--> as by go
+ *   ToFoot, RollOff, and Climb before its first step
+ *            --(the same, and there is no way to the goal from there)--> Aborted
  *   any      --(aborted)--> Aborted
  *
  * Still is the climb alone, as without a journey. Standing, waiting and faults are states of the
@@ -138,6 +140,7 @@ private:
   void start(const Errand & errand);
   void set_out();
   void go_on();
+  void give_up(const std::string & why);
   void drive_to_foot(const stetro_site::Flight & flight);
   void roll_off(const stetro_site::Flight & flight);
   void arrive();

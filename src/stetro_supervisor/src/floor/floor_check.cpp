@@ -82,6 +82,10 @@ void FloorCheck::tick(Time now, const Observation & seen, const CheckContext & c
 {
   report_.reset();
   follow(seen, context);
+  if (!context.lost && !doubts_pose()) {
+    absent_from_.clear();
+    found_on_.clear();
+  }
   const auto & scan = seen.scan;
   const bool usable = is_usable(scan.get(), now);
   if (search_) {
@@ -148,20 +152,30 @@ void FloorCheck::compare(const Scan & scan, const PoseHistory::Told & told)
   report_ = std::move(report);
 }
 
-void FloorCheck::begin_search(std::shared_ptr<const Scan> scan, const CheckContext & context)
+std::vector<ProfileWitness *> FloorCheck::floors_to_search(const CheckContext & context)
 {
-  std::vector<ProfileWitness *> asked;
   const std::string & known = context.told ? context.told->floor_id : context.lost_on;
-  if (ProfileWitness * witness = witness_of(known)) {
-    asked.push_back(witness);
-  } else {
-    for (ProfileWitness & any : witnesses_) {
-      asked.push_back(&any);
+  const std::string & likely = found_on_.empty() ? known : found_on_;
+  ProfileWitness * first = witness_of(likely);
+  if (first != nullptr && (absent_from_ != likely || witnesses_.size() == 1)) {
+    return {first};
+  }
+  std::vector<ProfileWitness *> others;
+  for (ProfileWitness & witness : witnesses_) {
+    if (&witness != first) {
+      others.push_back(&witness);
     }
   }
+  return others;
+}
+
+void FloorCheck::begin_search(std::shared_ptr<const Scan> scan, const CheckContext & context)
+{
+  auto asked = floors_to_search(context);
   if (asked.empty()) {
     return;
   }
+  searched_ = asked.size() == 1 ? asked.front()->floor().id() : "";
   last_scan_ = scan->time;
   search_resets_ = resets_;
   search_.emplace(std::move(asked), std::move(scan), lidar_, params_);
@@ -179,6 +193,14 @@ void FloorCheck::confirm(SearchAnswer & answer, const Scan & scan)
   }
 }
 
+/// Where the next search shall look, should one be needed.
+void FloorCheck::note_end(const SearchAnswer & answer)
+{
+  found_on_ = answer.found ? answer.floor_id : "";
+  const bool nowhere = !answer.found && answer.verdict == Verdict::kNoVerdict;
+  absent_from_ = nowhere ? searched_ : "";
+}
+
 /// \param newest scan, which is usable if there is a place to confirm
 void FloorCheck::conclude(SearchAnswer answer, const Scan * newest, const CheckContext & context)
 {
@@ -191,6 +213,7 @@ void FloorCheck::conclude(SearchAnswer answer, const Scan * newest, const CheckC
     confirm(answer, *newest);
     report.time = newest->time;
   }
+  note_end(answer);
   report.floor_id = answer.floor_id;
   report.searched = true;
   report.testimony = answer.testimony;
@@ -202,7 +225,7 @@ void FloorCheck::conclude(SearchAnswer answer, const Scan * newest, const CheckC
   }
   if (answer.found) {
     report.correction = Correction{report.time, *answer.found, resets_};
-    report.reason = "the only place that explains the scan";
+    report.reason = "the only place that explains the scan, on '" + answer.floor_id + "'";
     if (told && told->place.floor_id == answer.found->floor_id && !context.lost) {
       ThreeAnswers answers;
       answers.told = told->place;

@@ -35,12 +35,13 @@ protected:
     Observation seen;
     seen.odometry = OdometryPose{now, 0.0, 0.0, 0.0};
     if (scans_arrive) {
-      auto scan = scan_at(floor, truth);
+      auto scan = scan_at(floor, truth, crowd);
       scan->time = now - kTick;
       seen.scan = scan;
     }
     CheckContext context;
     context.lost = true;
+    context.lost_on = lost_on;
     check.tick(now, seen, context);
   }
 
@@ -65,6 +66,8 @@ protected:
   FloorCheck check{all, lidar, params};
   Time now = std::chrono::seconds{1000};
   bool scans_arrive = true;
+  std::vector<stetro_site::Segment> crowd;
+  std::string lost_on;  // empty: it has never known
 };
 
 // The localizer takes no correction that is older than its window, 2 s, and a search on three
@@ -91,6 +94,47 @@ TEST_F(FloorCheckTest, TellsNothingOfARobotThatWasCarriedOnMeanwhile)
   EXPECT_FALSE(report->correction);
   EXPECT_EQ(report->verdict, Verdict::kNoVerdict);
   EXPECT_NE(report->reason.find("newest scan"), std::string::npos) << report->reason;
+}
+
+TEST_F(FloorCheckTest, LooksOnTheOtherFloorsForARobotThatIsNotWhereItWas)
+{
+  lost_on = "ground";
+  const FloorPlace truth{"landing", {11.2, 1.3}, 2.1, Eigen::Matrix3d::Zero()};
+  begin_search(1, truth);
+  const auto own = report_within(400, 1, truth);
+  ASSERT_TRUE(own);
+  EXPECT_FALSE(own->correction);
+  EXPECT_EQ(own->verdict, Verdict::kNoVerdict) << own->reason;
+  tick(1, truth);
+  const auto others = report_within(400, 1, truth);
+  ASSERT_TRUE(others && others->correction) << (others ? others->reason : "no report");
+  EXPECT_EQ(others->correction->place.floor_id, "landing");
+  EXPECT_NE(others->reason.find("on 'landing'"), std::string::npos) << others->reason;
+  const Time found = now;
+  tick(1, truth);
+  const auto again = report_within(400, 1, truth);
+  ASSERT_TRUE(again && again->correction) << "the localizer wants several that agree";
+  EXPECT_EQ(again->correction->place.floor_id, "landing");
+  EXPECT_LT(seconds_between(found, now), 2.0) << "of that floor alone";
+}
+
+// In a crowd no place explains the scan, on no floor: its own is looked at again.
+TEST_F(FloorCheckTest, ComesBackToTheFloorWhereItWas)
+{
+  lost_on = "ground";
+  const FloorPlace truth{"ground", {1.5, 2.4}, -0.7, Eigen::Matrix3d::Zero()};
+  crowd = rectangle({1.2, 2.1}, {1.8, 2.7});
+  begin_search(0, truth);
+  for (int search = 0; search < 2; ++search) {
+    const auto report = report_within(400, 0, truth);
+    ASSERT_TRUE(report) << search;
+    EXPECT_FALSE(report->correction) << search;
+    tick(0, truth);
+  }
+  crowd.clear();
+  const auto report = report_within(400, 0, truth);
+  ASSERT_TRUE(report && report->correction) << (report ? report->reason : "no report");
+  EXPECT_EQ(report->correction->place.floor_id, "ground");
 }
 
 TEST_F(FloorCheckTest, WaitsForAScanThatBearsItsAnswerOut)

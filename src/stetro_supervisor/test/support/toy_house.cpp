@@ -51,7 +51,7 @@ ToyHouse::ToyHouse(stetro_site::Site site) : site_(std::move(site))
 
 void ToyHouse::place(const std::string & floor, const Pose & in_map)
 {
-  floor_ = floor;
+  floor_ = told_floor_ = floor;
   pose_ = in_map;
   pose_.z_m = site_.floor(floor).elevation_m();
 }
@@ -63,6 +63,14 @@ void ToyHouse::kidnap(const Pose & in_map)
     wrap_angle(pose_.yaw_rad + told_error_.yaw_rad - in_map.yaw_rad)};
   pose_ = {in_map.x_m, in_map.y_m, pose_.z_m, in_map.yaw_rad};
   last_told_.reset();
+}
+
+void ToyHouse::kidnap(const std::string & floor, const Pose & in_map)
+{
+  kidnap(in_map);
+  floor_ = floor;
+  pose_.z_m = site_.floor(floor).elevation_m();
+  scan_.reset();
 }
 
 Pose ToyHouse::in_map() const
@@ -145,7 +153,7 @@ void ToyHouse::board(const stetro_site::Flight & flight, const Pose & at)
 void ToyHouse::alight(const stetro_site::Flight & flight)
 {
   pose_ = in_map();
-  floor_ = flight.spec().upper_floor;
+  floor_ = told_floor_ = flight.spec().upper_floor;
   pose_.z_m = site_.floor(floor_).elevation_m();
   steering_rad_ = robots_.at(flight.id()).steering_rad;
   flight_ = nullptr;
@@ -213,8 +221,8 @@ void ToyHouse::tell(Observation & o)
   told.x_m += told_error_.x_m;
   told.y_m += told_error_.y_m;
   told.yaw_rad = wrap_angle(told.yaw_rad + told_error_.yaw_rad);
-  const Pose at = FrameTransform{site_.floor(floor_).pose_in_map}.to_frame(told);
-  o.pose = StairPose{now, floor_, false, 0, at.y_m, wrap_angle(at.yaw_rad), Integrity::kOk, 0};
+  const Pose at = FrameTransform{site_.floor(told_floor_).pose_in_map}.to_frame(told);
+  o.pose = StairPose{now, told_floor_, false, 0, at.y_m, wrap_angle(at.yaw_rad), Integrity::kOk, 0};
   o.pose->x_m = at.x_m;
   o.pose->covariance = Eigen::Vector3d(4e-4, 4e-4, 1e-4).asDiagonal();
   if (lost) {
@@ -266,11 +274,12 @@ void ToyHouse::correct(const Correction & correction)
   const double off =
     std::hypot(told.x_m - pose_.x_m - told_error_.x_m, told.y_m - pose_.y_m - told_error_.y_m);
   const double turned = wrap_angle(told.yaw_rad - pose_.yaw_rad - told_error_.yaw_rad);
-  const bool near = !lost && off < kGate_m && std::abs(turned) < kGate_m;
+  const bool here = correction.place.floor_id == told_floor_;
+  const bool near = !lost && here && off < kGate_m && std::abs(turned) < kGate_m;
   if (!near) {
     ++refused;
     lost = lost || refused >= 3;
-    const bool agree = waiting_ &&
+    const bool agree = waiting_ && waiting_->place.floor_id == correction.place.floor_id &&
                        (waiting_->place.position_m - correction.place.position_m).norm() < 0.1 &&
                        waiting_->time != correction.time;
     waiting_ = correction;
@@ -278,6 +287,7 @@ void ToyHouse::correct(const Correction & correction)
       return;
     }
     lost = false;
+    told_floor_ = correction.place.floor_id;
     refused = 0;
     ++resets;
     waiting_.reset();

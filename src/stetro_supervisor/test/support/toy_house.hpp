@@ -50,6 +50,9 @@ public:
   /// Puts it elsewhere on its floor; the localizer does not know.
   void kidnap(const stetro_site::Pose & in_map);
 
+  /// Puts it on another floor; the localizer does not know.
+  void kidnap(const std::string & floor, const stetro_site::Pose & in_map);
+
   void act(const MotionCommand & command, double dt_s);
   Observation look();
   void correct(const Correction & correction);
@@ -77,6 +80,7 @@ private:
 
   stetro_site::Site site_;
   std::string floor_;
+  std::string told_floor_;        // by the localizer
   stetro_site::Pose pose_;        // base_link in map
   stetro_site::Pose told_error_;  // told minus true, on floors, in map
   double steering_rad_ = 0.0;

@@ -70,6 +70,10 @@ struct CheckContext
  * newest scan, for a search takes seconds; the localizer, which refuses what is far from its pose,
  * follows when several agree.
  *
+ * Searched is the floor that the pose is on, or was; when no place on it explains the scan, all
+ * others together, then that floor again, and so on. Never told: all floors together. Where a
+ * place was found the next search looks first.
+ *
  * A scan is used once, not while the robot turns faster than `floor.check_turn_rad_s`, and only if
  * the pose at its time is known. Reads no clock. For one thread.
  */
@@ -105,7 +109,9 @@ private:
   void follow(const Observation & seen, const CheckContext & context);
   [[nodiscard]] bool is_usable(const Scan * scan, Time now) const;
   void compare(const Scan & scan, const PoseHistory::Told & told);
+  [[nodiscard]] std::vector<ProfileWitness *> floors_to_search(const CheckContext & context);
   void begin_search(std::shared_ptr<const Scan> scan, const CheckContext & context);
+  void note_end(const SearchAnswer & answer);
   void confirm(SearchAnswer & answer, const Scan & scan);
   void conclude(SearchAnswer answer, const Scan * newest, const CheckContext & context);
   [[nodiscard]] ProfileWitness * witness_of(const std::string & floor_id);
@@ -122,6 +128,9 @@ private:
   std::int64_t doubts_ = 0;
   std::uint32_t resets_ = 0;         // of the last pose
   std::uint32_t search_resets_ = 0;  // when the search began
+  std::string searched_;             // the only floor of that search; empty: several
+  std::string absent_from_;          // the floor where the last search has found no place
+  std::string found_on_;             // the floor where it has found the only one
   bool requested_ = false;
   Time last_scan_{0};  // that was looked at
   Time last_check_{0};
