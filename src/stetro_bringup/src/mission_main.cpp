@@ -33,6 +33,7 @@
 #include "stetro_dds/stamp.hpp"
 #include "stetro_msgs/MissionRequest.hpp"
 #include "stetro_msgs/MissionStatus.hpp"
+#include "stetro_msgs/ProfileCheck.hpp"
 
 namespace
 {
@@ -44,15 +45,19 @@ using std::chrono_literals::operator""ms;
 using Clock = std::chrono::steady_clock;
 using stetro_msgs::msg::MissionRequest;
 using stetro_msgs::msg::MissionStatus;
+using stetro_msgs::msg::ProfileCheck;
 
 constexpr int kRefused = 1;
 constexpr int kNoAnswer = 3;
 
 const std::map<std::string, std::uint8_t> kKinds = {
-  {"clean", request::KIND_CLEAN_FLIGHT},   {"go", request::KIND_GO_TO_SEGMENT},
-  {"pause", request::KIND_PAUSE},          {"resume", request::KIND_RESUME},
-  {"abort", request::KIND_ABORT},          {"clear-fault", request::KIND_CLEAR_FAULT},
-  {"relocalise", request::KIND_RELOCALISE}};
+  {"clean", request::KIND_CLEAN_FLIGHT},    {"go", request::KIND_GO_TO_SEGMENT},
+  {"pause", request::KIND_PAUSE},           {"resume", request::KIND_RESUME},
+  {"abort", request::KIND_ABORT},           {"clear-fault", request::KIND_CLEAR_FAULT},
+  {"relocalise", request::KIND_RELOCALISE}, {"check-pose", request::KIND_CHECK_POSE}};
+
+// A check may use a scan from shortly before it was asked for.
+constexpr std::chrono::seconds kScanBefore{1};
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double kDegree = M_PI / 180.0;
@@ -96,6 +101,16 @@ void print(const MissionStatus & now)
   std::cout << std::endl;
 }
 
+// In the order of VERDICT_* of ProfileCheck.
+constexpr std::array kVerdictNames = {"unknown", "agrees", "corrected", "ambiguous", "no verdict"};
+
+void print(const ProfileCheck & check)
+{
+  const std::size_t verdict = check.verdict() < kVerdictNames.size() ? check.verdict() : 0;
+  std::cout << "profile on '" << check.segment_id().c_str() << "': " << kVerdictNames[verdict]
+            << ": " << check.reason().c_str() << std::endl;
+}
+
 class Operator
 {
 public:
@@ -106,6 +121,13 @@ public:
   {
     node_.subscribe<MissionStatus>(
       "mission_status", qos::kLatched, [this](const MissionStatus & heard) { heard_ = heard; });
+    node_.subscribe<ProfileCheck>(
+      "profile_check", qos::kLatched, [this](const ProfileCheck & heard) {
+        const auto stamp = stetro_dds::time_of(heard.header().stamp());
+        if (asked_ && stamp + kScanBefore >= *asked_) {
+          check_ = heard;
+        }
+      });
   }
 
   stetro_dds::Node & node() { return node_; }
@@ -113,7 +135,8 @@ public:
   void ask(const Order & order)
   {
     MissionRequest message;
-    message.header().stamp() = stetro_dds::stamp_of(node_.clock().now());
+    asked_ = node_.clock().now();
+    message.header().stamp() = stetro_dds::stamp_of(*asked_);
     message.request_id() = id_.c_str();
     message.issuer() = "stetro_mission";
     message.kind() = kKinds.at(order.what);
@@ -131,6 +154,8 @@ public:
   }
   [[nodiscard]] bool is_answered() const { return heard_ && heard_->request_id().c_str() == id_; }
   [[nodiscard]] const std::optional<MissionStatus> & heard() const { return heard_; }
+  /// Of a scan of about the time of the request, or later.
+  [[nodiscard]] const std::optional<ProfileCheck> & check() const { return check_; }
 
 private:
   static void tell(const Order & order, MissionRequest & message)
@@ -153,7 +178,25 @@ private:
   stetro_dds::Publisher<MissionRequest> & requests_;
   const std::string id_;
   std::optional<MissionStatus> heard_;
+  std::optional<std::chrono::nanoseconds> asked_;
+  std::optional<ProfileCheck> check_;
 };
+
+/// Waits for what a check that was accepted has told.
+int tell_check(
+  const Order & order, Operator & person, stetro_dds::Executor & executor,
+  Clock::time_point deadline)
+{
+  while (Clock::now() < deadline && !person.check()) {
+    executor.spin_some(20ms);
+  }
+  if (!person.check()) {
+    std::cerr << "no scan could be used within " << order.patience_s << " s\n";
+    return kNoAnswer;
+  }
+  print(*person.check());
+  return 0;
+}
 
 int carry_out(const Order & order, Operator & person, stetro_dds::Executor & executor)
 {
@@ -181,6 +224,9 @@ int carry_out(const Order & order, Operator & person, stetro_dds::Executor & exe
   const bool accepted = person.heard()->answer() == status::ANSWER_ACCEPTED;
   std::cout << order.what << (accepted ? " accepted" : " refused: ")
             << person.heard()->answer_reason().c_str() << std::endl;
+  if (accepted && order.what == "check-pose") {
+    return tell_check(order, person, executor, deadline);
+  }
   return accepted ? 0 : kRefused;
 }
 
@@ -212,7 +258,9 @@ int main(int argc, char ** argv)
     app.add_option("--patience", order.patience_s, "how long to wait for the answer [s]")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-    app.footer("Exit status: 0 accepted, 1 refused (the reason is printed), 3 nobody answered.");
+    app.footer(
+      "check-pose compares a scan with the map and prints what comes of it, on a floor.\n"
+      "Exit status: 0 accepted, 1 refused (the reason is printed), 3 nobody answered.");
   };
   return stetro_dds::run_main(
     argc, argv,

@@ -18,6 +18,7 @@
 #include <cmath>
 #include <utility>
 
+#include "stetro_config/value.hpp"
 #include "stetro_supervisor/pose_reason.hpp"
 #include "stetro_supervisor/rejoin.hpp"
 #include "stetro_supervisor/robot_health.hpp"
@@ -128,8 +129,7 @@ MotionCommand Journey::tick(Time now, const Observation & seen)
       follow_drive();
     }
     // Half a turn at full speed takes longer than a robot that was carried off may go on.
-    const bool scans = seen.scan && seconds_between(seen.scan->time, now) <= kRecentScan_s;
-    if (scans && check_->awaits_scan(now)) {
+    if (has_recent_scan() && check_->awaits_scan(now)) {
       command = slowed(command, kClearly * params_.check_turn_rad_s);
     }
   }
@@ -166,6 +166,11 @@ std::string Journey::pose_doubt() const
     return "the profile is against the pose: " + check_->doubt();
   }
   return "";
+}
+
+bool Journey::has_recent_scan() const
+{
+  return seen_.scan && seconds_between(seen_.scan->time, now_) <= kRecentScan_s;
 }
 
 const DrawnFloor * Journey::drawn_floor(const std::string & id) const
@@ -310,6 +315,29 @@ void Journey::follow_climb()
     part_ = Part::kAborted;
     floor_ = flight_;
   }
+}
+
+std::string Journey::refuse_check() const
+{
+  if (floors_.empty()) {
+    return "no floor is drawn in the site file, so there is nothing to compare a scan with";
+  }
+  if (older_than(seen_.pose, now_, limits_.pose_silence_s)) {
+    return "the localizer is silent";
+  }
+  const CheckContext known = context();
+  if (known.lost) {
+    return "the pose is lost, and the floors are being searched for the robot already";
+  }
+  if (!known.told || !known.corrigible) {
+    return "the pose is on '" + seen_.pose->segment_id + "', step " +
+           std::to_string(seen_.pose->step) + ", accepted: a drawn floor or the foot of a flight";
+  }
+  if (!has_recent_scan()) {
+    return "no scan within " + stetro_config::to_text(kRecentScan_s) +
+           " s, accepted: a lidar that is heard on 'scan'";
+  }
+  return "";
 }
 
 std::string Journey::refuse_to_go(const std::string & goal) const

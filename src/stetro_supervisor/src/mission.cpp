@@ -200,6 +200,8 @@ std::string Mission::refusal(const MissionRequest & request)
       return judge(refuse_abort(), Asked::kAbort);
     case RequestKind::kClearFault:
       return judge(refuse_clear(), Asked::kClearFault);
+    case RequestKind::kCheckPose:
+      return refuse_check();
     default:
       return "unknown kind of request";
   }

@@ -173,6 +173,18 @@ std::string Mission::refuse_clear() const
   return "";
 }
 
+std::string Mission::refuse_check()
+{
+  if (journey_ == nullptr) {
+    return "no floor is drawn in the site file, so there is nothing to compare a scan with";
+  }
+  const std::string reason = journey_->refuse_check();
+  if (reason.empty()) {
+    journey_->check_pose();
+  }
+  return reason;
+}
+
 std::string Mission::refuse_relocalise(const MissionRequest & request)
 {
   const Situation s = climb().situation();

@@ -264,6 +264,44 @@ TEST_F(JourneyTest, IsHeldWhenAPersonTellsItsPlaceWhileItWaitsForThePose)
   ASSERT_TRUE(run_until(120.0, [this] { return finished(); })) << where();
 }
 
+TEST_F(JourneyTest, ChecksItsPoseWhenAsked)
+{
+  run_until(1.0, [] { return false; });
+  ASSERT_FALSE(run_until(2.0, [this] { return journey->check_report().has_value(); }))
+    << "it stands, and checks only what moves";
+  const auto answer = ask(RequestKind::kCheckPose);
+  ASSERT_TRUE(answer.accepted) << answer.reason;
+  ASSERT_TRUE(run_until(0.5, [this] { return journey->check_report().has_value(); }));
+  EXPECT_EQ(journey->check_report()->verdict, Verdict::kAgrees) << journey->check_report()->reason;
+  EXPECT_EQ(mission->status().mission, MissionState::kIdle);
+  EXPECT_FALSE(run_until(2.0, [this] { return journey->check_report().has_value(); })) << "once";
+}
+
+TEST_F(JourneyTest, RefusesACheckThatCannotBeMade)
+{
+  const auto why = [this] {
+    const auto answer = ask(RequestKind::kCheckPose);
+    EXPECT_FALSE(answer.accepted);
+    return answer.reason;
+  };
+  EXPECT_NE(why().find("silent"), std::string::npos) << "nothing has been heard";
+  house.meddle = [](Observation & o) { o.scan.reset(); };
+  run_until(1.0, [] { return false; });
+  EXPECT_NE(why().find("no scan within 0.5 s"), std::string::npos);
+  house.meddle = nullptr;
+  house.lost = true;
+  run_until(0.1, [] { return false; });
+  EXPECT_NE(why().find("lost"), std::string::npos);
+  house.lost = false;
+  house.meddle = [](Observation & o) {
+    o.pose->segment_id = "lower";
+    o.pose->on_flight = true;
+    o.pose->step = 2;
+  };
+  run_until(0.1, [] { return false; });
+  EXPECT_NE(why().find("'lower', step 2, accepted: a drawn floor"), std::string::npos);
+}
+
 TEST_F(JourneyTest, CorrectsAnOdometryThatIsTooLong)
 {
   house.drift = 0.10;

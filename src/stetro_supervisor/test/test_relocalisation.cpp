@@ -86,6 +86,14 @@ protected:
   Mission mission{climb, flight_of(climb.geometry())};
 };
 
+TEST_F(Relocalisation, HasNoFloorToCheckThePoseOn)
+{
+  tick();
+  const auto answer = ask(RequestKind::kCheckPose);
+  EXPECT_FALSE(answer.accepted);
+  EXPECT_NE(answer.reason.find("no floor is drawn"), std::string::npos) << answer.reason;
+}
+
 TEST_F(Relocalisation, IsAnsweredWhenTheLocalizerHasJumped)
 {
   pause_in(State::kSweepLeft);

@@ -92,6 +92,12 @@ public:
   /// Goes there, with the next tick. It must not be refused.
   void go(const std::string & request_id, const std::string & issuer, const std::string & goal);
 
+  /// Why the pose cannot be checked now; empty if it can.
+  [[nodiscard]] std::string refuse_check() const;
+
+  /// Checks the pose by the next scan that can be used. It must not be refused.
+  void check_pose() { check_->request(); }
+
   /// Goes on with a drive that was held or paused.
   void resume_drive();
 
@@ -131,6 +137,7 @@ private:
   void take_pose();
   [[nodiscard]] DrivePose drive_pose() const;
   [[nodiscard]] CheckContext context() const;
+  [[nodiscard]] bool has_recent_scan() const;
   [[nodiscard]] bool is_drawn_floor(const std::string & id) const { return floors_.count(id) != 0; }
   [[nodiscard]] const stetro_site::Flight * flight_to_leave(const FloorPlace & place) const;
 

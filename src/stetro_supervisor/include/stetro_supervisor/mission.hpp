@@ -37,7 +37,8 @@ enum class RequestKind : std::uint8_t {
   kPause,
   kResume,
   kAbort,
-  kClearFault
+  kClearFault,
+  kCheckPose
 };
 
 struct MissionRequest
@@ -86,6 +87,9 @@ struct MissionStatus
 
 /// Answers requests and says what the robot is doing.
 /**
+ * To check the pose is to compare the next scan that can be used with the map; it is accepted when
+ * there is a scan and a pose on a drawn floor, and what comes of it is a report of the journey.
+ *
  * A request is judged by the situation of the last tick and taken up by the next one. Going down
  * stairs is refused as not supported, and so is going to a segment over floors nobody has drawn.
  *
@@ -165,6 +169,7 @@ private:
   std::string refuse_resume() const;
   std::string refuse_abort() const;
   std::string refuse_clear() const;
+  std::string refuse_check();
 
   Climb * lone_climb_ = nullptr;               // one of these two
   Journey * journey_ = nullptr;                //

@@ -314,6 +314,8 @@ MissionRequest from_message(const stetro_msgs::msg::MissionRequest & message)
         return RequestKind::kAbort;
       case wire::KIND_CLEAR_FAULT:
         return RequestKind::kClearFault;
+      case wire::KIND_CHECK_POSE:
+        return RequestKind::kCheckPose;
       default:
         return RequestKind::kUnknown;
     }

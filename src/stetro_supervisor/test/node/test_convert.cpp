@@ -153,6 +153,20 @@ TEST(Convert, DoubtsARequestWhoseIdIsEmptyOrMayBeCut)
   EXPECT_EQ(doubt_of(message)->reason, "full_string");
 }
 
+TEST(Convert, KnowsEveryKindOfRequest)
+{
+  namespace wire = stetro_msgs::msg::MissionRequest_Constants;
+  stetro_msgs::msg::MissionRequest message;
+  message.kind(wire::KIND_CHECK_POSE);
+  EXPECT_EQ(from_message(message).kind, RequestKind::kCheckPose);
+  for (std::uint8_t kind = wire::KIND_CLEAN_FLIGHT; kind <= wire::KIND_CHECK_POSE; ++kind) {
+    message.kind(kind);
+    EXPECT_NE(from_message(message).kind, RequestKind::kUnknown) << int{kind};
+  }
+  message.kind(wire::KIND_CHECK_POSE + 1);
+  EXPECT_EQ(from_message(message).kind, RequestKind::kUnknown);
+}
+
 TEST(Convert, StatusEchoesTheAnswerAndNamesTheFault)
 {
   namespace wire = stetro_msgs::msg::MissionStatus_Constants;
