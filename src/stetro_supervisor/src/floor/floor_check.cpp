@@ -132,8 +132,10 @@ void FloorCheck::compare(const Scan & scan, const PoseHistory::Told & told)
   const ScanBeams few = beams_of(scan, lidar_, params_);
   ThreeAnswers answers;
   answers.told = told.place;
-  answers.profile_verdict = report.testimony.finding.verdict;
-  answers.profile_reason = report.testimony.finding.reason;
+  const ProfileFinding & finding = report.testimony.finding;
+  answers.profile_verdict = finding.verdict;
+  answers.by_ends = finding.by_ends;
+  answers.profile_reason = finding.by_ends ? finding.of_profiles : finding.reason;
   answers.profile = report.testimony.found;
   answers.beams_allow_told = beams_allow(witness->floor(), few, told.place);
   answers.beams_allow_profile =
@@ -141,6 +143,9 @@ void FloorCheck::compare(const Scan & scan, const PoseHistory::Told & told)
   const Conclusion conclusion = weigh(answers, params_.agree_sigmas);
   report.verdict = conclusion.verdict;
   report.reason = conclusion.reason;
+  if (conclusion.corrects && report.testimony.spectral_radius >= 1.0) {
+    report.reason += "; by the beams alone, the centroid does not contract here";
+  }
   if (conclusion.corrects) {
     report.correction = Correction{scan.time, *answers.profile, told.resets};
   }

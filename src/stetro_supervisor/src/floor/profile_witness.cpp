@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "stetro_site/distance_field.hpp"
 #include "stetro_site/frame_transform.hpp"
 #include "stetro_supervisor/profile/contraction.hpp"
 #include "stetro_supervisor/profile/scan_check.hpp"
@@ -44,11 +45,18 @@ ScanCheckParams checks_of(
 }
 
 /// Without a search of its own: whoever guesses has searched.
-DescentParams for_guesses(DescentParams descent)
+ScanCheckParams for_guesses(ScanCheckParams checks)
 {
-  descent.search_places = 9;
-  descent.search_kept = 1;
-  return descent;
+  checks.descent.search_places = 9;
+  checks.descent.search_kept = 1;
+  return checks;
+}
+
+/// Where the ends of beams may lie.
+std::shared_ptr<const stetro_site::DistanceField> walls_of(const DrawnFloor & floor)
+{
+  return std::make_shared<const stetro_site::DistanceField>(
+    std::make_shared<const stetro_site::OccupancyGrid>(floor.grid()), stetro_site::Unknown::kFree);
 }
 
 double residual_m(
@@ -97,16 +105,12 @@ public:
     params(given),
     checks(checks_of(drawn, mounted, given)),
     headings(drawn.grid(), given.search_heading_rad),
-    around(
-      drawn.walls(), [this](const Eigen::Vector2d & p) { return floor.free_space().is_free(p); },
-      checks.noise, checks.trust, checks.descent),
-    near(
-      drawn.walls(), [this](const Eigen::Vector2d & p) { return floor.free_space().is_free(p); },
-      checks.noise, checks.trust, for_guesses(checks.descent))
+    around(drawn.walls(), is_free(), walls_of(drawn), checks, nullptr),
+    near(drawn.walls(), is_free(), nullptr, for_guesses(checks), nullptr)
   {
   }
 
-  Testimony take(TrustedCentreOfMass & asked, const Scan & scan, const Belief & belief) const
+  Testimony take(ScanCheck & asked, const Scan & scan, const Belief & belief) const
   {
     Testimony testimony;
     testimony.finding = asked.check(scan.profile, belief);
@@ -132,11 +136,16 @@ public:
   FloorParams params;
   ScanCheckParams checks;
   HeadingTables headings;
-  TrustedCentreOfMass around;
-  TrustedCentreOfMass near;
+  ScanCheck around;
+  ScanCheck near;
   std::vector<double> cast_m;
 
 private:
+  FreeSpace is_free() const
+  {
+    return [this](const Eigen::Vector2d & p) { return floor.free_space().is_free(p); };
+  }
+
   double spectral_radius(const ScannerPose & at) const
   {
     ContractionParams given;
@@ -153,9 +162,7 @@ private:
     const double heading_rad2 = params.pose_sigma_rad * params.pose_sigma_rad;
     const Eigen::Vector3d own{position_m2, position_m2, heading_rad2};
     const ExplainedPlace & best = testimony.finding.best;
-    const Determination told =
-      determination(floor.walls(), best.pose.position_m, checks.determination);
-    Eigen::Matrix3d all = widened(inflation * best.covariance, told, checks.determined_sigma_m);
+    Eigen::Matrix3d all = inflation * best.covariance;
     // base_link turns about the scanner: the heading's error moves it by its lever arm
     const Eigen::Vector2d lever = testimony.found->position_m - best.pose.position_m;
     Eigen::Matrix3d moved = Eigen::Matrix3d::Identity();

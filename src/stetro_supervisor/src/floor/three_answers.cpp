@@ -65,6 +65,11 @@ Conclusion weigh(const ThreeAnswers & answers, double agree_sigmas)
   }
   Conclusion conclusion;
   conclusion.distance = sigmas_apart(answers.told, *answers.profile);
+  const bool borne_out =
+    conclusion.distance <= agree_sigmas && answers.beams_allow_told && answers.beams_allow_profile;
+  if (answers.by_ends && !borne_out) {
+    return without_profile(answers);
+  }
   if (!answers.beams_allow_profile) {
     conclusion.reason = "four beams exclude the place that the profile tells";
     conclusion.against_told = !answers.beams_allow_told;
@@ -75,6 +80,7 @@ Conclusion weigh(const ThreeAnswers & answers, double agree_sigmas)
   conclusion.corrects = true;
   conclusion.against_told = !agrees;
   conclusion.reason = two_digits(conclusion.distance) + " standard deviations from what was told";
+  conclusion.reason += answers.by_ends ? ", by the ends of the beams" : "";
   return conclusion;
 }
 

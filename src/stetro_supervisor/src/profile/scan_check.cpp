@@ -102,6 +102,7 @@ void ScanCheck::ask_ends(
     return;  // the profiles' reason stands
   }
   const EndMatch & best = matches[0];
+  finding.of_profiles = finding.reason;
   finding.by_ends = true;
   finding.best.pose = best.pose;
   finding.expected.reset();  // of profiles that do not compare

@@ -137,6 +137,44 @@ TEST_F(FloorCheckTest, ComesBackToTheFloorWhereItWas)
   EXPECT_EQ(report->correction->place.floor_id, "ground");
 }
 
+// Two cupboards of the map have gone, and beams pass where it has walls.
+TEST_F(FloorCheckTest, BearsThePoseOutOnAFloorThatHasChanged)
+{
+  stetro_site::SiteSpec spec;
+  spec.name = "furnished";
+  auto walls = std::get<stetro_site::PolygonWalls>(floors[0]->floor().drawing);
+  walls.obstacles.push_back({{3.6, 2.6}, {4.6, 2.6}, {4.6, 3.4}, {3.6, 3.4}});
+  walls.obstacles.push_back({{0.3, 1.8}, {0.7, 1.8}, {0.7, 2.8}, {0.3, 2.8}});
+  spec.floors.push_back({"ground", {}, walls});
+  const DrawnFloor mapped{stetro_site::Site{spec}, "ground", params.resolution_m};
+  FloorCheck one{{&mapped}, lidar, params};
+  const FloorPlace truth{"ground", {1.8, 0.9}, 0.7, Eigen::Matrix3d::Zero()};
+  FloorPlace told = truth;
+  told.position_m.x() += 0.04;
+  told.covariance.diagonal() << 4e-4, 4e-4, 1e-4;
+  one.request();
+  for (int i = 0; i < 4 && !one.report(); ++i) {
+    now += kTick;
+    Observation seen;
+    seen.odometry = OdometryPose{now, 0.0, 0.0, 0.0};
+    seen.pose = StairPose{};
+    seen.pose->time = now;
+    auto scan = scan_at(0, truth);
+    scan->time = now - kTick;
+    seen.scan = scan;
+    CheckContext context;
+    context.told = told;
+    context.corrigible = true;
+    one.tick(now, seen, context);
+  }
+  ASSERT_TRUE(one.report());
+  const CheckReport & report = *one.report();
+  ASSERT_TRUE(report.testimony.finding.by_ends) << report.reason;
+  EXPECT_EQ(report.verdict, Verdict::kAgrees) << report.reason;
+  ASSERT_TRUE(report.correction);
+  EXPECT_LT((report.correction->place.position_m - truth.position_m).norm(), 0.05);
+}
+
 TEST_F(FloorCheckTest, WaitsForAScanThatBearsItsAnswerOut)
 {
   const FloorPlace truth{"landing", {11.6, 3.1}, -1.0, Eigen::Matrix3d::Zero()};

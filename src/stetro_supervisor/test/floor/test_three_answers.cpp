@@ -89,6 +89,33 @@ TEST(ThreeAnswers, ACrowdAloneIsNotAgainstThePose)
   EXPECT_TRUE(weigh(three, kSigmas).against_told) << "beams through walls speak against it";
 }
 
+// Where the floor has changed the ends of the beams bear a pose out, and contradict none.
+TEST(ThreeAnswers, EndsBearOutWhatWasTold)
+{
+  ThreeAnswers three = answers(2.17);
+  three.by_ends = true;
+  three.profile_reason = NoVerdictReason::kBeyondTheWalls;
+  const Conclusion near = weigh(three, kSigmas);
+  EXPECT_EQ(near.verdict, Verdict::kAgrees);
+  EXPECT_TRUE(near.corrects);
+  EXPECT_FALSE(near.against_told);
+  three.beams_allow_told = false;
+  EXPECT_TRUE(weigh(three, kSigmas).against_told);
+  EXPECT_FALSE(weigh(three, kSigmas).corrects);
+}
+
+TEST(ThreeAnswers, EndsElsewhereCountAsNoProfile)
+{
+  ThreeAnswers three = answers(2.5);
+  three.by_ends = true;
+  three.profile_reason = NoVerdictReason::kNotExplained;
+  EXPECT_EQ(weigh(three, kSigmas).verdict, Verdict::kNoVerdict);
+  EXPECT_FALSE(weigh(three, kSigmas).corrects);
+  EXPECT_FALSE(weigh(three, kSigmas).against_told);
+  three.profile_reason = NoVerdictReason::kBeyondTheWalls;
+  EXPECT_TRUE(weigh(three, kSigmas).against_told) << "the beams through walls still speak";
+}
+
 TEST(ThreeAnswers, SeveralPlacesAreAmbiguous)
 {
   ThreeAnswers three = answers(2.0);

@@ -43,10 +43,13 @@ struct Testimony
 /// Asks the trusted centre of mass where on one floor the robot is.
 /**
  * What it tells is base_link's place, with a covariance that holds
- *   - what the beams leave open, and the strangers among them (`TrustedCentreOfMass`);
+ *   - what the beams leave open, and the strangers among them, or where the floor has changed too
+ *     much for the profiles what the ends of the beams leave open; and never less than the map
+ *     promises of the place (`ScanCheck`);
  *   - `floor.pose_sigma_m` and `floor.pose_sigma_rad`: stamp, tilt and mounting of the scanner;
  *   - where the map alone says that the centroid contracts by less than a half, as much more as it
- *     contracts less: its steps then had no say, and the beams alone must be right.
+ *     contracts less: its steps then had no say, and the beams alone must be right. It is asked
+ *     of the very place that was found, as `UsabilityLayer` asks it of a grid of places.
  *
  * Keeps its memory from scan to scan; for one thread.
  */

@@ -31,6 +31,7 @@ struct ThreeAnswers
   Verdict profile_verdict = Verdict::kNoVerdict;
   NoVerdictReason profile_reason = NoVerdictReason::kNone;
   std::optional<FloorPlace> profile;  ///< by the centre of mass, where that has one place
+  bool by_ends = false;               ///< by the ends of the beams instead: profiles do not compare
   bool beams_allow_told = true;       ///< the four-beam search does not exclude it
   bool beams_allow_profile = true;
 };
@@ -51,12 +52,16 @@ struct Conclusion
  *
  *   d' (T + P)^-1 d <= agree_sigmas^2                                                        (1)
  *
- * The four beams answer with a set, so they agree or exclude.
+ * The four beams answer with a set, so they agree or exclude. The ends of the beams can bear out
+ * what was told on a floor that has changed, where profiles do not compare; alone they contradict
+ * nothing, as they do not ask what the beams should not have seen through.
  *
  *   profile            beams                  verdict                       against what was told
  *   agrees, (1)        allow the profile      agrees: the profile is told   no
  *   elsewhere          allow the profile      corrected: it is told         yes
  *   one place          exclude the profile    none: two answers contradict  if they exclude it too
+ *   by ends, agrees    allow both             agrees: it is told            no
+ *   by ends otherwise  as none
  *   several, none      allow what was told    ambiguous, none               no, unless beams of the
  *                                                                           scan pass through walls
  *   several, none      exclude it             ambiguous, none               yes

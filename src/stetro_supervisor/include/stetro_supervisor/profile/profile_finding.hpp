@@ -88,7 +88,8 @@ struct ProfileFinding
   /// Of a centroid step at the best pose, by the map: below 1 the centroids alone would have told.
   /// Nothing without a UsabilityLayer, or where it was not asked.
   std::optional<double> spectral_radius;
-  bool by_ends = false;   ///< the profiles do not compare, the ends of the beams lie on walls
+  bool by_ends = false;  ///< the profiles do not compare, the ends of the beams lie on walls
+  NoVerdictReason of_profiles = NoVerdictReason::kNone;  ///< why they do not, where ends were asked
   bool searched = false;  ///< the way from the believed pose did not do: all places were tried
 };
 
