@@ -79,7 +79,7 @@ Journey::Journey(
         each.id, std::make_shared<const DrawnFloor>(site_, each.id, floor.resolution_m));
     }
   }
-  check_ = std::make_unique<FloorCheck>(pointers(floors_), robot.lidar, floor);
+  check_ = std::make_unique<FloorCheck>(pointers(floors_), robot, floor);
 }
 
 bool Journey::is_free() const

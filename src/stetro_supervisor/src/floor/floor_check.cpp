@@ -15,6 +15,7 @@
 #include "stetro_supervisor/floor/floor_check.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "stetro_supervisor/floor/scan_beams.hpp"
@@ -25,16 +26,30 @@ namespace
 {
 
 constexpr double kOldScan_s = 1.0;
+constexpr double kNoLidar_s = 3.0;          // without a scan: there is no lidar, or it is broken
+constexpr double kBetweenByRanges_s = 5.0;  // a robot that stands reads the same again
+
+/// The robot has not been carried on meanwhile, as far as they tell.
+bool are_alike(const RangeBeams & a, const RangeBeams & b)
+{
+  bool alike = a.ranges_m.size() == b.ranges_m.size();
+  for (std::size_t i = 0; alike && i < a.ranges_m.size(); ++i) {
+    const double error_m = a.beams[i].error.short_m;
+    alike = a.beams[i].yaw_rad == b.beams[i].yaw_rad &&
+            (a.ranges_m[i] == b.ranges_m[i] || std::abs(a.ranges_m[i] - b.ranges_m[i]) <= error_m);
+  }
+  return alike;
+}
 
 }  // namespace
 
 FloorCheck::FloorCheck(
-  const std::vector<const DrawnFloor *> & floors, const stetro_site::Lidar & lidar,
+  const std::vector<const DrawnFloor *> & floors, const stetro_site::RobotGeometry & robot,
   const FloorParams & params)
-: lidar_(lidar), params_(params)
+: robot_(robot), params_(params)
 {
   for (const DrawnFloor * floor : floors) {
-    witnesses_.emplace_back(*floor, lidar, params);
+    witnesses_.emplace_back(*floor, robot.lidar, params);
   }
 }
 
@@ -100,6 +115,7 @@ void FloorCheck::tick(Time now, const Observation & seen, const CheckContext & c
     return;
   }
   if (!usable) {
+    search_by_ranges(now, seen, context);
     return;
   }
   const bool due =
@@ -129,7 +145,7 @@ void FloorCheck::compare(const Scan & scan, const PoseHistory::Told & told)
   report.floor_id = told.place.floor_id;
   report.told = told.place;
   report.testimony = witness->about(scan, told.place);
-  const ScanBeams few = beams_of(scan, lidar_, params_);
+  const ScanBeams few = beams_of(scan, robot_.lidar, params_);
   ThreeAnswers answers;
   answers.told = told.place;
   const ProfileFinding & finding = report.testimony.finding;
@@ -183,7 +199,51 @@ void FloorCheck::begin_search(std::shared_ptr<const Scan> scan, const CheckConte
   searched_ = asked.size() == 1 ? asked.front()->floor().id() : "";
   last_scan_ = scan->time;
   search_resets_ = resets_;
-  search_.emplace(std::move(asked), std::move(scan), lidar_, params_);
+  search_.emplace(std::move(asked), std::move(scan), robot_.lidar, params_);
+}
+
+void FloorCheck::search_by_ranges(Time now, const Observation & seen, const CheckContext & context)
+{
+  const bool scans = seen.scan && seconds_between(seen.scan->time, now) <= kNoLidar_s;
+  no_scan_since_ = scans ? std::nullopt : std::optional<Time>{no_scan_since_.value_or(now)};
+  const bool blind = !scans && seconds_between(*no_scan_since_, now) > kNoLidar_s;
+  if (!blind || !context.lost || context.moving) {
+    by_ranges_.reset();
+    return;
+  }
+  const RangeBeams beams = range_beams_of(seen, now, robot_, params_);
+  if (by_ranges_) {
+    const auto answer = by_ranges_->step();
+    if (answer && are_alike(ranges_, beams) && resets_ == search_resets_) {
+      tell(*answer, now);
+    }
+    if (answer) {
+      by_ranges_.reset();
+      last_by_ranges_ = now;
+    }
+    return;
+  }
+  const bool rested =
+    last_by_ranges_ == Time{0} || seconds_between(last_by_ranges_, now) >= kBetweenByRanges_s;
+  if (rested && !beams.beams.empty() && !witnesses_.empty()) {
+    ranges_ = beams;
+    search_resets_ = resets_;
+    by_ranges_.emplace(floors_to_search(context), beams);
+  }
+}
+
+void FloorCheck::tell(const RangeAnswer & answer, Time now)
+{
+  CheckReport report;
+  report.time = now;
+  report.searched = true;
+  report.verdict = answer.verdict;
+  report.reason = answer.reason;
+  if (answer.found) {
+    report.floor_id = answer.found->floor_id;
+    report.correction = Correction{now, *answer.found, resets_};
+  }
+  report_ = std::move(report);
 }
 
 /// The robot may have been carried on meanwhile; and the localizer takes nothing that is old.

@@ -39,6 +39,9 @@ protected:
       scan->time = now - kTick;
       seen.scan = scan;
     }
+    for (auto & range : seen.ranges) {
+      range = Range{now, 0.5, RangeStatus::kValid, now};
+    }
     CheckContext context;
     context.lost = true;
     context.lost_on = lost_on;
@@ -61,9 +64,17 @@ protected:
     return check.report();
   }
 
+  static stetro_site::RobotGeometry robot_with(const stetro_site::Lidar & lidar)
+  {
+    stetro_site::RobotGeometry robot;
+    robot.lidar = lidar;
+    return robot;
+  }
+
   static constexpr Time kTick = std::chrono::milliseconds{100};  // half the usual rate
   std::vector<const DrawnFloor *> all{floors[0].get(), floors[1].get(), floors[2].get()};
-  FloorCheck check{all, lidar, params};
+  stetro_site::RobotGeometry robot = robot_with(lidar);
+  FloorCheck check{all, robot, params};
   Time now = std::chrono::seconds{1000};
   bool scans_arrive = true;
   std::vector<stetro_site::Segment> crowd;
@@ -147,7 +158,7 @@ TEST_F(FloorCheckTest, BearsThePoseOutOnAFloorThatHasChanged)
   walls.obstacles.push_back({{0.3, 1.8}, {0.7, 1.8}, {0.7, 2.8}, {0.3, 2.8}});
   spec.floors.push_back({"ground", {}, walls});
   const DrawnFloor mapped{stetro_site::Site{spec}, "ground", params.resolution_m};
-  FloorCheck one{{&mapped}, lidar, params};
+  FloorCheck one{{&mapped}, robot, params};
   const FloorPlace truth{"ground", {1.8, 0.9}, 0.7, Eigen::Matrix3d::Zero()};
   FloorPlace told = truth;
   told.position_m.x() += 0.04;
@@ -173,6 +184,19 @@ TEST_F(FloorCheckTest, BearsThePoseOutOnAFloorThatHasChanged)
   EXPECT_EQ(report.verdict, Verdict::kAgrees) << report.reason;
   ASSERT_TRUE(report.correction);
   EXPECT_LT((report.correction->place.position_m - truth.position_m).norm(), 0.05);
+}
+
+// The ranges say 0.5 m on four sides: many places do.
+TEST_F(FloorCheckTest, SaysWhatTheRangesTellWithoutALidar)
+{
+  scans_arrive = false;
+  const FloorPlace nowhere{"ground", {1.0, 1.0}, 0.0, Eigen::Matrix3d::Zero()};
+  const Time began = now;
+  const auto report = report_within(600, 0, nowhere);
+  ASSERT_TRUE(report);
+  EXPECT_GT(seconds_between(began, now), 3.0) << "a lidar may be late";
+  EXPECT_FALSE(report->correction);
+  EXPECT_NE(report->reason.find("4 ranges without a lidar"), std::string::npos) << report->reason;
 }
 
 TEST_F(FloorCheckTest, WaitsForAScanThatBearsItsAnswerOut)

@@ -23,6 +23,7 @@
 #include "stetro_supervisor/floor/floor_search.hpp"
 #include "stetro_supervisor/floor/pose_history.hpp"
 #include "stetro_supervisor/floor/profile_witness.hpp"
+#include "stetro_supervisor/floor/range_search.hpp"
 #include "stetro_supervisor/floor/three_answers.hpp"
 #include "stetro_supervisor/observation.hpp"
 
@@ -72,7 +73,8 @@ struct CheckContext
  *
  * Searched is the floor that the pose is on, or was; when no place on it explains the scan, all
  * others together, then that floor again, and so on. Never told: all floors together. Where a
- * place was found the next search looks first.
+ * place was found the next search looks first. A robot that stands lost without any scan is
+ * searched for by its side and front ranges (`RangeSearch`), which mostly say how little they say.
  *
  * A scan is used once, not while the robot turns faster than `floor.check_turn_rad_s`, and only if
  * the pose at its time is known. Reads no clock. For one thread.
@@ -82,7 +84,7 @@ class FloorCheck
 public:
   /// \param floors that are drawn; outlive the check
   FloorCheck(
-    const std::vector<const DrawnFloor *> & floors, const stetro_site::Lidar & lidar,
+    const std::vector<const DrawnFloor *> & floors, const stetro_site::RobotGeometry & robot,
     const FloorParams & params);
 
   /// Looks as soon as there is a scan for it.
@@ -112,11 +114,13 @@ private:
   [[nodiscard]] std::vector<ProfileWitness *> floors_to_search(const CheckContext & context);
   void begin_search(std::shared_ptr<const Scan> scan, const CheckContext & context);
   void note_end(const SearchAnswer & answer);
+  void search_by_ranges(Time now, const Observation & seen, const CheckContext & context);
+  void tell(const RangeAnswer & answer, Time now);
   void confirm(SearchAnswer & answer, const Scan & scan);
   void conclude(SearchAnswer answer, const Scan * newest, const CheckContext & context);
   [[nodiscard]] ProfileWitness * witness_of(const std::string & floor_id);
 
-  stetro_site::Lidar lidar_;
+  stetro_site::RobotGeometry robot_;
   FloorParams params_;
   std::vector<ProfileWitness> witnesses_;
   PoseHistory history_;
@@ -128,9 +132,13 @@ private:
   std::int64_t doubts_ = 0;
   std::uint32_t resets_ = 0;         // of the last pose
   std::uint32_t search_resets_ = 0;  // when the search began
-  std::string searched_;             // the only floor of that search; empty: several
-  std::string absent_from_;          // the floor where the last search has found no place
-  std::string found_on_;             // the floor where it has found the only one
+  std::optional<RangeSearch> by_ranges_;
+  RangeBeams ranges_;                  // of that search
+  std::optional<Time> no_scan_since_;  // there has been none
+  Time last_by_ranges_{0};             // its end
+  std::string searched_;               // the only floor of that search; empty: several
+  std::string absent_from_;            // the floor where the last search has found no place
+  std::string found_on_;               // the floor where it has found the only one
   bool requested_ = false;
   Time last_scan_{0};  // that was looked at
   Time last_check_{0};

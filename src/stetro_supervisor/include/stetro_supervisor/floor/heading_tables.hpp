@@ -56,6 +56,12 @@ public:
   /** \throws std::logic_error unless the heading is built */
   [[nodiscard]] AgreeingCells find(const ScanBeams & beams, std::size_t heading) const;
 
+  /// The table of a direction, in eighths of a turn CCW from a heading that is built.
+  [[nodiscard]] const ReachTable & towards(std::size_t heading, std::size_t eighths) const
+  {
+    return tables_[direction(heading, eighths)].value();
+  }
+
 private:
   [[nodiscard]] std::size_t direction(std::size_t heading, std::size_t beam) const;
 
