@@ -41,6 +41,52 @@ RoomsTable table_of(const char * name)
   return {};
 }
 
+constexpr double kQuarterTurn = 1.5707963267948966;
+
+/// A pose of a room and a verdict that is off it.
+stetro_supervisor::ProfileFinding verdict_off(
+  const stetro_supervisor::ScannerPose & truth, const Eigen::Vector2d & units, double yaw_rad)
+{
+  stetro_supervisor::ProfileFinding finding;
+  finding.verdict = stetro_supervisor::Verdict::kCorrected;
+  finding.best.pose = {truth.position_m + units, truth.yaw_rad + yaw_rad};
+  finding.best.covariance = Eigen::Vector3d(0.05 * 0.05, 0.05 * 0.05, 1e-3 * 1e-3).asDiagonal();
+  return finding;
+}
+
+TEST(RoomsScore, ARightPlaceAtAWrongHeadingIsNotSolved)
+{
+  const RandomRoom room;
+  const stetro_supervisor::ScannerPose truth{{50.0, 50.0}, 3.1};
+  const auto right = rated(verdict_off(truth, {0.05, 0.0}, 0.001), room, truth);
+  EXPECT_EQ(right.within_01, 1u);
+  EXPECT_EQ(right.false_accepts, 0u);
+  const auto coarse = rated(verdict_off(truth, {0.05, 0.0}, 0.004), room, truth);
+  EXPECT_EQ(coarse.within_01, 0u) << "0.2 unit half the room away";
+  EXPECT_EQ(coarse.within_1, 1u);
+  EXPECT_EQ(coarse.false_accepts, 0u);
+  const auto claimed = rated(verdict_off(truth, {0.05, 0.0}, 0.006), room, truth);
+  EXPECT_EQ(claimed.false_accepts, 1u) << "six of its own standard deviations";
+  const auto turned = rated(verdict_off(truth, {0.05, 0.0}, kQuarterTurn), room, truth);
+  EXPECT_EQ(turned.within_1, 0u);
+  EXPECT_EQ(turned.false_accepts, 1u) << "one pose was told where four look alike";
+}
+
+TEST(RoomsScore, AnAmbiguousAnswerHoldsTheHeadingOfTheTruth)
+{
+  RandomRoom room;
+  const stetro_supervisor::ScannerPose truth{{50.0, 50.0}, 3.1};
+  auto finding = verdict_off(truth, {0.0, 0.0}, kQuarterTurn);
+  finding.verdict = stetro_supervisor::Verdict::kAmbiguous;
+  finding.alternatives = {{truth.position_m, truth.yaw_rad + 2.0 * kQuarterTurn}};
+  EXPECT_EQ(rated(finding, room, truth).ambiguous_right, 0u) << "the place is, the heading is not";
+  finding.alternatives.push_back({truth.position_m, truth.yaw_rad - 4.0 * kQuarterTurn});
+  EXPECT_EQ(rated(finding, room, truth).ambiguous_right, 1u) << "a whole turn off is not off";
+  room.boxes.push_back({{10.0, 10.0}, {20.0, 25.0}});
+  EXPECT_EQ(rated(finding, room, truth).ambiguous_right, 0u)
+    << "a room with a box is not symmetric";
+}
+
 TEST(RoomsSuite, PublishedSearchFailsInARoomOfFour)
 {
   const RoomsTable table = table_of("rooms");

@@ -23,6 +23,7 @@
 #include "profiles/median.hpp"
 #include "profiles/random_room.hpp"
 #include "profiles/room_scanner.hpp"
+#include "stetro_site/frame_transform.hpp"
 #include "stetro_site/segment_caster.hpp"
 #include "stetro_supervisor/profile/published_centre_of_mass.hpp"
 #include "stetro_supervisor/profile/trusted_centre_of_mass.hpp"
@@ -45,6 +46,9 @@ constexpr double kSearchRadius = 42.0;  // displacement is up to 40
 constexpr double kStatedSigma = 0.02;   // of a range without noise, 0.02 % of the room
 constexpr double kFalse = 1.0;
 constexpr double kFine = 0.1;
+// A heading is off by as much as it moves what is seen half the room's side away.
+constexpr double kFalseYaw = kFalse / (0.5 * RandomRoom::kSide);  // 1.1 degrees
+constexpr double kFineYaw = kFine / (0.5 * RandomRoom::kSide);    // 0.11 degrees
 constexpr double kFalseSigmas = 5.0;
 constexpr double kUnmappedSpread = 0.02;  // of the share of beams that was asked for
 constexpr std::size_t kSymmetriesOfASquare = 4;
@@ -136,36 +140,40 @@ Belief belief_of(const RoomsKind & kind, const RoomCase & one)
   return belief;
 }
 
-bool holds_truth(const ProfileFinding & finding, const RoomCase & one)
+/// Position and heading of a pose less those of the truth.
+struct PoseError
 {
-  const auto is_true = [&one](const ScannerPose & pose) {
-    return (pose.position_m - one.room.truth).norm() < kFine;
+  PoseError(const ScannerPose & pose, const ScannerPose & truth)
+  : position(pose.position_m - truth.position_m),
+    yaw_rad(std::abs(stetro_site::wrap_angle(pose.yaw_rad - truth.yaw_rad)))
+  {
+  }
+
+  [[nodiscard]] bool is_within(double units, double rad) const
+  {
+    return position.norm() < units && yaw_rad < rad;
+  }
+
+  /// Beyond what the covariance says; a known heading has none.
+  [[nodiscard]] bool is_beyond(const Eigen::Matrix3d & covariance) const
+  {
+    const Eigen::Matrix2d of_position = covariance.topLeftCorner<2, 2>();
+    const double sigmas = std::sqrt(position.dot(of_position.inverse() * position));
+    const double yaw_sigma = std::sqrt(covariance(2, 2));
+    return sigmas > kFalseSigmas || (yaw_sigma > 0.0 && yaw_rad > kFalseSigmas * yaw_sigma);
+  }
+
+  Eigen::Vector2d position;
+  double yaw_rad;
+};
+
+bool holds_truth(const ProfileFinding & finding, const ScannerPose & truth)
+{
+  const auto is_true = [&truth](const ScannerPose & pose) {
+    return PoseError(pose, truth).is_within(kFine, kFineYaw);
   };
   return is_true(finding.best.pose) ||
          std::any_of(finding.alternatives.begin(), finding.alternatives.end(), is_true);
-}
-
-void rate(const ProfileFinding & finding, const RoomCase & one, RoomsScore & score)
-{
-  score.cases = 1;
-  score.searched = finding.searched ? 1 : 0;
-  if (finding.verdict == Verdict::kNoVerdict) {
-    score.no_verdict = 1;
-    return;
-  }
-  if (finding.verdict == Verdict::kAmbiguous) {
-    const std::size_t allowed = one.room.boxes.empty() ? kSymmetriesOfASquare : 1;
-    score.ambiguous = 1;
-    score.ambiguous_right =
-      holds_truth(finding, one) && finding.alternatives.size() < allowed ? 1 : 0;
-    return;
-  }
-  const Eigen::Vector2d error = finding.best.pose.position_m - one.room.truth;
-  const Eigen::Matrix2d covariance = finding.best.covariance.topLeftCorner<2, 2>();
-  const double sigmas = std::sqrt(error.dot(covariance.inverse() * error));
-  score.within_1 = error.norm() < kFalse ? 1 : 0;
-  score.within_01 = error.norm() < kFine ? 1 : 0;
-  score.false_accepts = error.norm() >= kFalse || sigmas > kFalseSigmas ? 1 : 0;
 }
 
 RoomsScore solve_trusted(
@@ -185,11 +193,34 @@ RoomsScore solve_trusted(
   const double start = cpu_time_us();
   const ProfileFinding finding = check.check(one.scan, belief);
   score.us.push_back(cpu_time_us() - start);
-  rate(finding, one, score);
+  score.add(rated(finding, one.room, one.truth));
   return score;
 }
 
 }  // namespace
+
+RoomsScore rated(const ProfileFinding & finding, const RandomRoom & room, const ScannerPose & truth)
+{
+  RoomsScore score;
+  score.cases = 1;
+  score.searched = finding.searched ? 1 : 0;
+  if (finding.verdict == Verdict::kNoVerdict) {
+    score.no_verdict = 1;
+    return score;
+  }
+  if (finding.verdict == Verdict::kAmbiguous) {
+    const std::size_t allowed = room.boxes.empty() ? kSymmetriesOfASquare : 1;
+    score.ambiguous = 1;
+    score.ambiguous_right =
+      holds_truth(finding, truth) && finding.alternatives.size() < allowed ? 1 : 0;
+    return score;
+  }
+  const PoseError error(finding.best.pose, truth);
+  score.within_1 = error.is_within(kFalse, kFalseYaw) ? 1 : 0;
+  score.within_01 = error.is_within(kFine, kFineYaw) ? 1 : 0;
+  score.false_accepts = score.within_1 == 0 || error.is_beyond(finding.best.covariance) ? 1 : 0;
+  return score;
+}
 
 std::vector<RoomsKind> kinds_of_rooms()
 {

@@ -22,6 +22,8 @@
 #include <vector>
 
 #include "profiles/random_room.hpp"
+#include "stetro_supervisor/profile/profile_finding.hpp"
+#include "stetro_supervisor/profile/range_profile.hpp"
 
 namespace stetro_bringup
 {
@@ -43,18 +45,28 @@ struct RoomsKind
 struct RoomsScore
 {
   std::size_t cases = 0;
-  std::size_t within_1 = 0;   ///< of the verdicts: error below 1 unit
-  std::size_t within_01 = 0;  ///< below 0.1 unit
+  std::size_t within_1 = 0;   ///< of the verdicts: error below 1 unit and 20 mrad
+  std::size_t within_01 = 0;  ///< below 0.1 unit and 2 mrad
   std::size_t no_verdict = 0;
   std::size_t ambiguous = 0;        ///< several poses, and
   std::size_t ambiguous_right = 0;  ///< the truth among them, no more than the room's symmetries
-  std::size_t false_accepts = 0;    ///< a verdict off by 1 unit or 5 of its standard deviations
+  std::size_t false_accepts = 0;    ///< a verdict beyond 1 unit, 20 mrad or 5 standard deviations
   std::size_t searched = 0;         ///< cases in which all places had to be tried
   std::vector<double> us;           ///< time of each case on this thread's processor
 
   void add(const RoomsScore & other);
   [[nodiscard]] double median_us() const;
 };
+
+/// What a finding is worth, the truth being known.
+/**
+ * A heading counts as a position does that it moves as far, half the room's side away: 0.1 unit are
+ * 2 mrad (0.11 degrees). An ambiguous finding is right if position and heading of the truth are
+ * among its poses and these are no more than the room has symmetries, 4 without boxes.
+ */
+[[nodiscard]] RoomsScore rated(
+  const stetro_supervisor::ProfileFinding & finding, const RandomRoom & room,
+  const stetro_supervisor::ScannerPose & truth);
 
 /// Published and trusted centre of mass on the same rooms.
 struct RoomsTable
