@@ -14,6 +14,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Core>
 #include <string>
 
 #include "profiles/logs_suite.hpp"
@@ -23,6 +24,24 @@ namespace stetro_bringup
 {
 namespace
 {
+
+TEST(FreeDirection, IsShownAlongWhatTheMapLeavesFree)
+{
+  stetro_supervisor::Determination told;  // 3 cm along x by the map, and 1 cm across
+  told.worst_direction = Eigen::Vector2d::UnitX();
+  told.worst_sigma_m = 0.03;
+  told.covariance = Eigen::Vector2d(9e-4, 1e-4).asDiagonal();
+  const auto shown = [&told](double along_m, double across_m) {
+    const Eigen::Vector2d variances(along_m * along_m, across_m * across_m);
+    return shows_free_direction(variances.asDiagonal(), told);
+  };
+  EXPECT_TRUE(shown(0.03, 0.01));
+  EXPECT_FALSE(shown(0.01, 0.03)) << "another direction is";
+  EXPECT_FALSE(shown(0.03, 0.025)) << "not one of them";
+  EXPECT_FALSE(shown(0.012, 0.002)) << "it claims to know the place";
+  told.covariance = Eigen::Vector2d(9e-4, 8.5e-4).asDiagonal();
+  EXPECT_TRUE(shown(0.05, 0.045)) << "where the map tells both badly, so does it";
+}
 
 TEST(RecordedFloors, ASmallArenaIsSolvedAndNeverWrong)
 {

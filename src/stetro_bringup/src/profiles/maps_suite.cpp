@@ -15,7 +15,6 @@
 #include "profiles/maps_suite.hpp"
 
 #include <Eigen/Dense>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -49,7 +48,7 @@ constexpr double kDropouts = 0.1;
 constexpr double kSolved = 0.05;
 constexpr double kFalse = 0.25;
 constexpr double kFalseSigmas = 5.0;
-constexpr double kFree = 1.5;  // a direction's sigma by the other's
+constexpr double kFree = 1.5;  // a free direction's sigma by that across it, if it is on the map
 
 /// A cell of a floor where the body fits.
 struct Stand
@@ -148,10 +147,7 @@ MapsScore rate(const ProfileFinding & finding, const MapCase & one, const Determ
   const Eigen::Matrix2d covariance = finding.best.covariance.topLeftCorner<2, 2>();
   const double sigmas = std::sqrt(error.dot(covariance.inverse() * error));
   score.solved = error.norm() < kSolved ? 1 : 0;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(covariance, Eigen::EigenvaluesOnly);
-  const double worst = std::sqrt(axes.eigenvalues()(1));
-  const double best = std::sqrt(axes.eigenvalues()(0));
-  score.free_direction_shown = worst > kDeterminedSigma && worst > kFree * best ? 1 : 0;
+  score.free_direction_shown = shows_free_direction(covariance, told) ? 1 : 0;
   score.by_ends = finding.by_ends ? 1 : 0;
   const bool claimed = error.norm() > kFalse && sigmas > kFalseSigmas;
   score.false_accepts = told_error_m(told, error) > kFalse || claimed ? 1 : 0;
@@ -269,6 +265,16 @@ MapsTable run_map(
 }
 
 }  // namespace
+
+bool shows_free_direction(const Eigen::Matrix2d & covariance, const Determination & told)
+{
+  const Eigen::Vector2d & along = told.worst_direction;
+  const Eigen::Vector2d across(-along.y(), along.x());
+  const double sigma_m = std::sqrt(along.dot(covariance * along));
+  const double longer = sigma_m / std::sqrt(across.dot(covariance * across));
+  const double on_the_map = told.worst_sigma_m / std::sqrt(across.dot(told.covariance * across));
+  return sigma_m > kDeterminedSigma && longer >= std::min(kFree, on_the_map);
+}
 
 void MapsScore::add(const MapsScore & other)
 {

@@ -15,6 +15,7 @@
 #ifndef PROFILES__MAPS_SUITE_HPP_
 #define PROFILES__MAPS_SUITE_HPP_
 
+#include <Eigen/Core>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -49,6 +50,12 @@ struct MapsScore
 
   void add(const MapsScore & other);
 };
+
+/// Whether a covariance shows the direction that the map tells worst, where it does not determine it.
+/** Along that direction it says more than the determined, and more than across it: 1.5 times, or as
+ *  much as the map where that tells both about as badly. */
+[[nodiscard]] bool shows_free_direction(
+  const Eigen::Matrix2d & covariance, const stetro_supervisor::Determination & told);
 
 /// Spectral radii of a centroid step: below 0.5, to 1, above.
 constexpr std::size_t kRadiusClasses = 3;

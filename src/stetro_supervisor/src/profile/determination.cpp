@@ -60,6 +60,11 @@ public:
       const double angle = static_cast<double>(i) * step_rad;
       ends_.emplace_back(ranges_m[i] * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
     }
+    const double jump_m = kJump * params.piece_m;
+    for (std::size_t i = 0; i < ends_.size(); ++i) {
+      // false for no echo, too
+      joined_.push_back((ends_[after(i)] - ends_[i]).squaredNorm() < jump_m * jump_m ? 1 : 0);
+    }
   }
 
   /// The unit normal of the piece about an end; nothing where the ends do not lie on a line.
@@ -68,14 +73,14 @@ public:
     Eigen::Vector2d sum = ends_[i];
     Eigen::Matrix2d squares = ends_[i] * ends_[i].transpose();
     double count = 1.0;
-    const double reach = reach_along(i, 1, sum, squares, count);
-    const double length = reach + reach_along(i, ends_.size() - 1, sum, squares, count);
+    const double reach = reach_along(i, true, sum, squares, count);
+    const double length = reach + reach_along(i, false, sum, squares, count);
     if (count < 3.0 || length < kShortest * params_.piece_m) {
       return std::nullopt;
     }
     const Eigen::Vector2d mean = sum / count;
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(
-      squares / count - mean * mean.transpose());
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes;
+    axes.computeDirect(squares / count - mean * mean.transpose());
     if (axes.eigenvalues()(0) > params_.bent_m * params_.bent_m) {
       return std::nullopt;
     }
@@ -87,29 +92,34 @@ public:
 private:
   /// Adds the ends of one side up to half a piece away. \return how far the last one is [m]
   double reach_along(
-    std::size_t i, std::size_t stride, Eigen::Vector2d & sum, Eigen::Matrix2d & squares,
+    std::size_t i, bool forward, Eigen::Vector2d & sum, Eigen::Matrix2d & squares,
     double & count) const
   {
-    double reach = 0.0;
+    const double half_m2 = 0.25 * params_.piece_m * params_.piece_m;
+    double reach_m2 = 0.0;
     std::size_t at = i;
     for (std::size_t k = 1; k < ends_.size() / 2; ++k) {
-      const std::size_t next = (at + stride) % ends_.size();
-      const double distance = (ends_[next] - ends_[i]).norm();
-      const bool joined = (ends_[next] - ends_[at]).norm() < kJump * params_.piece_m;
-      if (!joined || (distance > 0.5 * params_.piece_m && k > 1)) {  // false for no echo, too
+      const std::size_t next = forward ? after(at) : before(at);
+      const double distance_m2 = (ends_[next] - ends_[i]).squaredNorm();
+      const bool joined = joined_[forward ? at : next] != 0;
+      if (!joined || (distance_m2 > half_m2 && k > 1)) {
         break;
       }
       sum += ends_[next];
       squares += ends_[next] * ends_[next].transpose();
       count += 1.0;
-      reach = distance;
+      reach_m2 = distance_m2;
       at = next;
     }
-    return reach;
+    return std::sqrt(reach_m2);
   }
+
+  [[nodiscard]] std::size_t after(std::size_t i) const { return i + 1 < ends_.size() ? i + 1 : 0; }
+  [[nodiscard]] std::size_t before(std::size_t i) const { return (i > 0 ? i : ends_.size()) - 1; }
 
   const DeterminationParams & params_;
   std::vector<Eigen::Vector2d> ends_;
+  std::vector<char> joined_;  ///< on one piece with the next
 };
 
 std::vector<Word> words_of(
@@ -190,6 +200,18 @@ Eigen::Matrix3d widened(
     const double missing = sigma * sigma - u.dot(position * u);
     position += std::max(0.0, missing) * u * u.transpose();
   }
+  return covariance;
+}
+
+Eigen::Matrix3d stretched(Eigen::Matrix3d covariance, const Determination & told)
+{
+  const Eigen::Vector2d & u = told.worst_direction;
+  const Eigen::Vector2d v(-u.y(), u.x());
+  const Eigen::Matrix2d position = covariance.topLeftCorner<2, 2>();
+  const double worse = told.worst_sigma_m * told.worst_sigma_m / v.dot(told.covariance * v);
+  const double variance = std::min(worse * v.dot(position * v), kFreeSigma * kFreeSigma);
+  const double missing = std::max(0.0, variance - u.dot(position * u));
+  covariance.topLeftCorner<2, 2>() += missing * u * u.transpose();
   return covariance;
 }
 

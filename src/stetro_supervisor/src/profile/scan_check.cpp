@@ -66,8 +66,9 @@ ScanCheck::ScanCheck(
   std::shared_ptr<const stetro_site::DistanceField> walls, const ScanCheckParams & params,
   std::shared_ptr<const UsabilityLayer> layer)
 : map_(map),
+  is_free_(std::move(is_free)),
   params_(params),
-  trusted_(map, std::move(is_free), params.noise, params.trust, params.descent),
+  trusted_(map, is_free_, params.noise, params.trust, params.descent),
   ends_(walls ? std::make_unique<const EndMatching>(std::move(walls), params.ends) : nullptr),
   layer_(std::move(layer))
 {
@@ -83,12 +84,30 @@ ProfileFinding ScanCheck::check(const RangeProfile & scan, const Belief & belief
     return finding;
   }
   const Eigen::Vector2d & at = finding.best.pose.position_m;
-  const Determination told = determination(map_, at, params_.determination);
-  finding.best.covariance = widened(finding.best.covariance, told, params_.determined_sigma_m);
+  const Determination told = told_about(at);
+  if (finding.by_ends) {
+    finding.best.covariance = stretched(finding.best.covariance, told);
+  }
+  finding.best.covariance = widened(finding.best.covariance, told, 0.0);
   if (const Usability * place = layer_ ? layer_->at(at) : nullptr) {
     finding.spectral_radius = place->spectral_radius;
   }
   return finding;
+}
+
+Determination ScanCheck::told_about(const Eigen::Vector2d & at) const
+{
+  Determination worst = determination(map_, at, params_.determination);
+  const double d = params_.beside_m;
+  for (const Eigen::Vector2d & side :
+       {Eigen::Vector2d(d, 0.0), Eigen::Vector2d(0.0, d), Eigen::Vector2d(-d, 0.0),
+        Eigen::Vector2d(0.0, -d)}) {
+    if (is_free_(at + side)) {
+      const Determination told = determination(map_, at + side, params_.determination);
+      worst = told.worst_sigma_m > worst.worst_sigma_m ? told : worst;
+    }
+  }
+  return worst;
 }
 
 void ScanCheck::ask_ends(

@@ -99,5 +99,25 @@ TEST(Determination, WidensACovarianceAlongWhatTheMapDoesNotTell)
   EXPECT_TRUE(widened(sure, told, 0.0125).allFinite());
 }
 
+TEST(Determination, StretchesACovarianceToTheShapeOfTheBound)
+{
+  Determination told;
+  told.worst_direction = Eigen::Vector2d(0.6, 0.8);
+  const Eigen::Vector2d across(-0.8, 0.6);
+  told.worst_sigma_m = 0.03;
+  told.covariance = 0.03 * 0.03 * told.worst_direction * told.worst_direction.transpose() +
+                    0.01 * 0.01 * across * across.transpose();
+  const Eigen::Matrix3d round = Eigen::Vector3d(0.0025, 0.0025, 1e-4).asDiagonal();  // 5 cm
+  const Eigen::Matrix3d wide = stretched(round, told);
+  const Eigen::Matrix2d position = wide.topLeftCorner<2, 2>();
+  EXPECT_NEAR(across.dot(position * across), 0.0025, 1e-12);
+  EXPECT_NEAR(told.worst_direction.dot(position * told.worst_direction), 9 * 0.0025, 1e-12)
+    << "three times as bad, as on the map";
+  EXPECT_EQ(wide(2, 2), 1e-4);
+  EXPECT_TRUE(stretched(wide, told).isApprox(wide)) << "it has that shape";
+  told.worst_sigma_m = INFINITY;
+  EXPECT_TRUE(stretched(round, told).allFinite());
+}
+
 }  // namespace
 }  // namespace stetro_supervisor

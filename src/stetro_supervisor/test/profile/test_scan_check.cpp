@@ -15,7 +15,9 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <memory>
 
 #include "stetro_site/free_space.hpp"
@@ -81,6 +83,54 @@ TEST(ScanCheck, AnotherRoomIsNoVerdict)
   elsewhere.cast({0.9, 4.0}, {0.3, scan.fan.step_rad, 360}, 12.0, scan.ranges_m);
   const auto finding = checked(CellRoom(), scan, belief_off(0.1, 0.1));
   EXPECT_EQ(finding.verdict, Verdict::kNoVerdict);
+}
+
+double sigma_along(const Eigen::Vector2d & direction, const Eigen::Matrix3d & covariance)
+{
+  return std::sqrt(direction.dot(covariance.topLeftCorner<2, 2>() * direction));
+}
+
+TEST(ScanCheck, IsNoSurerThanTheMapThereOrBesideIt)
+{
+  const CellRoom room;
+  const auto map = room.caster();
+  const ScanCheckParams params = scan_check_params(0.05);
+  for (const Eigen::Vector2d & truth :
+       {Eigen::Vector2d(2.1, 1.4), Eigen::Vector2d(1.3, 0.9), Eigen::Vector2d(2.9, 2.2)}) {
+    Belief belief = belief_off(0.0, 0.0);
+    belief.area.around.position_m = truth + Eigen::Vector2d(0.1, -0.05);
+    const auto finding = checked(room, room.scanned({truth, 0.3}), belief);
+    ASSERT_NE(finding.verdict, Verdict::kNoVerdict) << name_of(finding.reason);
+    double worst = 0.0;
+    for (int i = -1; i <= 1; ++i) {
+      for (int j = std::abs(i) - 1; j <= 1 - std::abs(i); ++j) {
+        const auto told = determination(
+          map, finding.best.pose.position_m + params.beside_m * Eigen::Vector2d(i, j),
+          params.determination);
+        worst = std::max(worst, told.worst_sigma_m);
+      }
+    }
+    EXPECT_GE(largest_sigma_m(finding.best.covariance), 0.999 * worst) << truth.transpose();
+  }
+}
+
+TEST(ScanCheck, EndsTellEachDirectionInTheMapsProportion)
+{
+  CellRoom map;
+  map.add_wall({3.0, 0.6}, {3.0, 2.4});  // gone since, as above
+  map.add_wall({1.2, 0.6}, {1.2, 1.5});
+  const auto caster = map.caster();
+  ScanCheckParams params = scan_check_params(0.05);
+  params.beside_m = 0.0;
+  const auto finding = ScanCheck(caster, everywhere(), map.distances(), params, nullptr)
+                         .check(CellRoom().scanned(kTruth), belief_off(0.2, -0.2));
+  ASSERT_TRUE(finding.by_ends);
+  const auto told = determination(caster, finding.best.pose.position_m, params.determination);
+  const Eigen::Vector2d & u = told.worst_direction;
+  const Eigen::Vector2d v(-u.y(), u.x());
+  const double on_the_map = told.worst_sigma_m / std::sqrt(v.dot(told.covariance * v));
+  const Eigen::Matrix3d & covariance = finding.best.covariance;
+  EXPECT_GE(sigma_along(u, covariance) / sigma_along(v, covariance), 0.999 * on_the_map);
 }
 
 TEST(ScanCheck, TheMapsBoundWidensTheCovariance)

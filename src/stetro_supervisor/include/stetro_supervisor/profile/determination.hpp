@@ -60,9 +60,16 @@ struct Determination
   const DeterminationParams & params);
 
 /// A pose's covariance, in the floor's axes, no surer than the map along what it tells worst.
-/** Left alone where the map promises the position to `determined_sigma_m`. */
+/** Left alone where the map promises the position to `determined_sigma_m`; 0: nowhere. */
 [[nodiscard]] Eigen::Matrix3d widened(
   Eigen::Matrix3d covariance, const Determination & told, double determined_sigma_m);
+
+/// A pose's covariance whose ellipse is no rounder than that of the map's bound.
+/**
+ * For a place that was found by coarser means than the bound is made for: how much coarser shows in
+ * the direction that is told well, and in the other it is as much.
+ */
+[[nodiscard]] Eigen::Matrix3d stretched(Eigen::Matrix3d covariance, const Determination & told);
 
 }  // namespace stetro_supervisor
 

@@ -49,8 +49,8 @@ struct ScanCheckParams
   EndMatchingParams ends;
   EndTrustParams end_trust;
   DeterminationParams determination;
-  /// A position that the map does not promise this well has a free direction [m].
-  double determined_sigma_m = 0.0125;
+  /// The map's bound is the worst of the place found and of those this far to its four sides [m].
+  double beside_m = 0.02;
 };
 
 /// A lidar, and how its floor is drawn.
@@ -78,9 +78,10 @@ struct ScanSetup
  *  1. TrustedCentreOfMass: exact, and sure of itself, where the floor is as it was mapped.
  *  2. Where its profiles do not compare, as too much has changed, EndMatching: a place where most
  *     ends lie on walls, clearly better than any other of the area.
- *  3. What the map says of the place that was found (determination): along a direction that no wall
- *     tells, the covariance is never less than the map's own bound. A scan on a map of cells would
- *     find one in the steps of its walls.
+ *  3. What the map says of the place that was found and beside it (determination): along the
+ *     direction that is told worst, the covariance is never less than the map's own bound. A scan on
+ *     a map of cells would find one in the steps of its walls. A place found by the ends, which tell
+ *     less, is that much worse along this direction, too (stretched).
  *
  * Keeps its memory from check to check; for one thread.
  */
@@ -101,8 +102,10 @@ public:
 
 private:
   void ask_ends(const RangeProfile & scan, const Belief & belief, ProfileFinding & finding) const;
+  [[nodiscard]] Determination told_about(const Eigen::Vector2d & at) const;
 
   const stetro_site::ProfileCaster & map_;
+  FreeSpace is_free_;
   ScanCheckParams params_;
   TrustedCentreOfMass trusted_;
   std::unique_ptr<const EndMatching> ends_;
