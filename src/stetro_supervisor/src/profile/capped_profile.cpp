@@ -42,7 +42,7 @@ std::optional<ProfileMoments> capped_moments(
   const Beams & scan, const std::vector<double> & ranges_m, double cap_m)
 {
   return edge_moments(
-    scan, [&](std::size_t i) { return scan.ranges_m()[i] > 0.0; },
+    scan, [&](std::size_t i) { return std::isfinite(scan.ranges_m()[i]); },
     [&](std::size_t i) { return std::min(ranges_m[i], cap_m); });
 }
 

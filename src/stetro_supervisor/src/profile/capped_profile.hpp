@@ -29,7 +29,8 @@ namespace stetro_supervisor
 [[nodiscard]] double median_range(const Beams & scan);
 
 /// Moments of a profile of the scan's beams with the ranges cut off at `cap_m`.
-/** Beams that are not valid in the scan are left out, of the scan's profile and of the model's. */
+/** Beams without an echo in the scan are left out, of the scan's profile and of the model's: at the
+ *  cap they would stand where the map has a wall. */
 [[nodiscard]] std::optional<ProfileMoments> capped_moments(
   const Beams & scan, const std::vector<double> & ranges_m, double cap_m);
 

@@ -15,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -97,6 +98,26 @@ TEST(TrustedCentreOfMass, CorrectsAWrongOne)
     checked(furnished(), scanned(furnished(), kTruth), belief_at({3.5, 2.0}, 0.4));
   EXPECT_EQ(finding.verdict, Verdict::kCorrected) << name_of(finding.reason);
   EXPECT_LT((finding.best.pose.position_m - kTruth.position_m).norm(), 1e-3);
+}
+
+// Without an echo a beam has no end that could count in a centroid, here or on the map.
+TEST(TrustedCentreOfMass, CentroidStepsComeHomeThoughBeamsAreSilent)
+{
+  const auto room = rectangle({0.0, 0.0}, {8.0, 6.0});
+  RangeProfile scan = scanned(room, kTruth);
+  std::fill_n(scan.ranges_m.begin(), 72, std::numeric_limits<double>::infinity());  // a dark wall
+  const WallCaster map(room);
+  DescentParams centroids_only;
+  centroids_only.reach_m = kReach;
+  centroids_only.alignment_steps = 0;
+  const FreeSpace everywhere = [](const Vector2d &) { return true; };
+  // The steps end when they are as short as 2 % of the room: a gate that leaves room for the last.
+  const BeamNoise coarse{5.0 * kSigma, 0.0, 0.5};
+  TrustedCentreOfMass check(map, everywhere, coarse, TrustParams{}, centroids_only);
+  const auto finding = check.check(scan, belief_at({3.0, 2.0}, 0.4));
+  EXPECT_FALSE(finding.searched);
+  EXPECT_EQ(finding.verdict, Verdict::kCorrected) << name_of(finding.reason);
+  EXPECT_LT((finding.best.pose.position_m - kTruth.position_m).norm(), kSigma);
 }
 
 TEST(TrustedCentreOfMass, TurnsAndMovesWithTheRoom)
