@@ -50,6 +50,8 @@ TEST(ProfilesJson, TellsMapsAndLogsByTheirNames)
 {
   MapsTable map;
   map.name = "hall";
+  map.guarded_radius = {0.8, 0.7};
+  map.published_radius = {0.9, 0.6};
   map.determined.cases = 4;
   map.determined.solved = 3;
   map.elsewhere.reasons["one direction"] = 2;
@@ -68,6 +70,11 @@ TEST(ProfilesJson, TellsMapsAndLogsByTheirNames)
   const auto & hall = json.at("real_maps").at("hall");
   EXPECT_DOUBLE_EQ(hall.at("trusted").at("solved").get<double>(), 0.75);
   EXPECT_EQ(hall.at("trusted").at("elsewhere").at("reasons").at("one direction").get<int>(), 2);
+  const auto & radius = hall.at("spectral_radius");
+  EXPECT_DOUBLE_EQ(radius.at("guarded").at("median").get<double>(), 0.8);
+  EXPECT_DOUBLE_EQ(radius.at("guarded").at("share_below_1").get<double>(), 0.7);
+  EXPECT_DOUBLE_EQ(radius.at("published").at("median").get<double>(), 0.9);
+  EXPECT_DOUBLE_EQ(radius.at("published").at("share_below_1").get<double>(), 0.6);
   const auto & walk = json.at("real_logs").at("walk").at("trusted");
   EXPECT_EQ(walk.at("false_accepts").get<int>(), 1);
   EXPECT_EQ(walk.at("accepted_beyond_25_cm").at(0).at("scan").get<int>(), 9);

@@ -177,8 +177,8 @@ void draw_steps(
   const MapCase & one, const std::vector<Eigen::Vector2d> & positions_m, MapsTable & table)
 {
   const stetro_supervisor::UsabilityParams asked;  // as the layer asks, and not a place beside it
-  const auto here =
-    stetro_supervisor::contraction(*one.floor->map, one.truth.position_m, asked.contraction);
+  const auto here = stetro_supervisor::contraction(
+    *one.floor->map, one.truth.position_m, as_published(asked.contraction));
   if (!here) {
     return;
   }
@@ -213,26 +213,35 @@ MapsScore check_published(const MapCase & one, MapsTable & table)
   return score;
 }
 
-/// Share of a floor's places where a centroid step contracts, and the median of its radius.
+RadiusFigures figures_of(std::vector<double> radii)
+{
+  const auto below =
+    std::count_if(radii.begin(), radii.end(), [](double radius) { return radius < 1.0; });
+  RadiusFigures figures;
+  figures.share_below_1 =
+    static_cast<double>(below) / static_cast<double>(std::max<std::size_t>(1, radii.size()));
+  figures.median = median(std::move(radii));
+  return figures;
+}
+
 void tell_contraction(const std::vector<const RecordedFloor *> & floors, MapsTable & table)
 {
-  std::vector<double> radii;
+  std::vector<double> guarded;
+  std::vector<double> published;
   for (const RecordedFloor * floor : floors) {
     const auto & layer = *floor->layer;
     for (int row = 0; row < layer.rows(); ++row) {
       for (int column = 0; column < layer.columns(); ++column) {
-        const double radius = layer.of(column, row).spectral_radius;
-        if (!std::isnan(radius)) {
-          radii.push_back(radius);
+        const auto & place = layer.of(column, row);
+        if (!std::isnan(place.spectral_radius)) {
+          guarded.push_back(place.spectral_radius);
+          published.push_back(place.published_radius);
         }
       }
     }
   }
-  const auto below =
-    std::count_if(radii.begin(), radii.end(), [](double radius) { return radius < 1.0; });
-  table.contracting_share =
-    static_cast<double>(below) / static_cast<double>(std::max<std::size_t>(1, radii.size()));
-  table.median_spectral_radius = median(std::move(radii));
+  table.guarded_radius = figures_of(std::move(guarded));
+  table.published_radius = figures_of(std::move(published));
 }
 
 MapsTable run_map(

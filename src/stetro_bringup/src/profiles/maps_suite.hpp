@@ -57,7 +57,14 @@ struct MapsScore
 [[nodiscard]] bool shows_free_direction(
   const Eigen::Matrix2d & covariance, const stetro_supervisor::Determination & told);
 
-/// Spectral radii of a centroid step: below 0.5, to 1, above.
+/// Spectral radii of a floor's places, see Contraction.
+struct RadiusFigures
+{
+  double median = 0.0;
+  double share_below_1 = 0.0;  ///< of the area: a step makes a small error smaller
+};
+
+/// Spectral radii of a published step: below 0.5, to 1, above.
 constexpr std::size_t kRadiusClasses = 3;
 /// Steps of the published search that are drawn, the belief for the first.
 constexpr std::size_t kDrawnSteps = 11;
@@ -66,10 +73,10 @@ constexpr std::size_t kDrawnSteps = 11;
 struct MapsTable
 {
   std::string name;
-  double free_area_m2 = 0.0;       ///< where the body fits
-  double determined_share = 0.0;   ///< of that area
-  double contracting_share = 0.0;  ///< of that area: a centroid step makes a small error smaller
-  double median_spectral_radius = 0.0;
+  double free_area_m2 = 0.0;      ///< where the body fits
+  double determined_share = 0.0;  ///< of that area
+  RadiusFigures guarded_radius;   ///< of the steps that run
+  RadiusFigures published_radius;
   MapsScore determined;        ///< trusted, where the profile determines the pose
   MapsScore elsewhere;         ///< trusted
   MapsScore rough_determined;  ///< the same in a world with other cells along its walls

@@ -160,7 +160,7 @@ void ProfilePictures::add_maps(const std::vector<RecordedFloor> & floors)
   for (const RecordedFloor & floor : floors) {
     const std::string name = floor.name + (floor.level.empty() ? "" : "_" + floor.level);
     auto file = opened(folder + "/usability_" + name + ".csv");
-    file << "x_m,y_m,spectral_radius,worst_sigma_m\n";
+    file << "x_m,y_m,spectral_radius,published_radius,worst_sigma_m\n";
     const auto & layer = *floor.layer;
     for (int row = 0; row < layer.rows(); ++row) {
       for (int column = 0; column < layer.columns(); ++column) {
@@ -168,7 +168,8 @@ void ProfilePictures::add_maps(const std::vector<RecordedFloor> & floors)
         if (!std::isnan(place.spectral_radius)) {
           const Eigen::Vector2d at = layer.place_m(column, row);
           file << at.x() << ',' << at.y() << ',' << std::min(place.spectral_radius, kMostRadius)
-               << ',' << std::min(place.worst_sigma_m, kMostSigma) << '\n';
+               << ',' << std::min(place.published_radius, kMostRadius) << ','
+               << std::min(place.worst_sigma_m, kMostSigma) << '\n';
         }
       }
     }

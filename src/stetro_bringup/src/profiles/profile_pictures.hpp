@@ -35,7 +35,8 @@ struct ProfilePictures
   std::vector<std::string> logs;  ///< names of the pictures of one scan each
   bool convergence = false;
 
-  /// usability_<name>.csv (x, y, spectral radius, worst sigma) and walls_<name>.csv of each floor.
+  /// usability_<name>.csv (x, y, spectral radius of the guarded and of the published steps, worst
+  /// sigma) and walls_<name>.csv of each floor.
   void add_maps(const std::vector<RecordedFloor> & floors);
 
   /// convergence.csv: the published search's median error after each step, by spectral radius.

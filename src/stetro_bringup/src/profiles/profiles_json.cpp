@@ -61,13 +61,18 @@ Json figures(const MapsScore & score)
   return at;
 }
 
+Json figures(const RadiusFigures & radius)
+{
+  return {{"median", radius.median}, {"share_below_1", radius.share_below_1}};
+}
+
 Json figures(const MapsTable & table)
 {
   Json at;
   at["free_area_m2"] = table.free_area_m2;
   at["determined_share"] = table.determined_share;
-  at["contracting_share"] = table.contracting_share;
-  at["median_spectral_radius"] = table.median_spectral_radius;
+  at["spectral_radius"]["guarded"] = figures(table.guarded_radius);
+  at["spectral_radius"]["published"] = figures(table.published_radius);
   at["published"] = figures(table.published);
   at["trusted"] = figures(table.determined);
   at["trusted"]["elsewhere"] = figures(table.elsewhere);

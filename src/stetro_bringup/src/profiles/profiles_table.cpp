@@ -122,6 +122,22 @@ void print_maps(std::ostream & out, const ProfilesReport & report)
   }
 }
 
+void print_radii(std::ostream & out, const ProfilesReport & report)
+{
+  Row(out, "spectral radius of a centroid step")
+    .words("guarded")
+    .words("below 1 %")
+    .words("published")
+    .words("below 1 %");
+  for (const MapsTable & table : report.maps) {
+    Row(out, table.name)
+      .number(table.guarded_radius.median, 2)
+      .number(100.0 * table.guarded_radius.share_below_1, 0)
+      .number(table.published_radius.median, 2)
+      .number(100.0 * table.published_radius.share_below_1, 0);
+  }
+}
+
 void print_logs(std::ostream & out, const ProfilesReport & report)
 {
   Row(out, "recorded scans")
@@ -163,6 +179,7 @@ std::string profiles_table(const ProfilesReport & report)
   }
   if (!report.maps.empty()) {
     print_maps(out, report);
+    print_radii(out, report);
   }
   if (!report.logs.empty()) {
     print_logs(out, report);

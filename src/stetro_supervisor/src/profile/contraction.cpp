@@ -15,8 +15,11 @@
 #include "stetro_supervisor/profile/contraction.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
+#include "capped_profile.hpp"
 #include "stetro_supervisor/profile/published_centre_of_mass.hpp"
 
 namespace stetro_supervisor
@@ -33,11 +36,15 @@ std::optional<Contraction> contraction(
   const ContractionParams & params)
 {
   const stetro_site::BeamFan fan{0.0, kTurn / static_cast<double>(params.beams), params.beams};
-  const Beams beams(RangeProfile{fan, std::vector<double>(params.beams, 0.0)});
   std::vector<double> ranges_m;
+  map.cast(position_m, fan, params.reach_m, ranges_m);
+  const Beams here(RangeProfile{fan, ranges_m});
+  const double cap_m = std::min(params.reach_m, params.cap_medians * median_range(here));
+  const bool published = std::isinf(params.cap_medians);
   const auto centroid_from = [&](const Eigen::Vector2d & at) -> std::optional<Eigen::Vector2d> {
     map.cast(at, fan, params.reach_m, ranges_m);
-    const auto moments = moments_of(beams, ranges_m);
+    const auto moments =
+      published ? moments_of(here, ranges_m) : capped_moments(here, ranges_m, cap_m);
     return moments ? std::optional<Eigen::Vector2d>(at + moments->centroid_m) : std::nullopt;
   };
   Contraction found;

@@ -21,6 +21,7 @@
 
 #include "capped_profile.hpp"
 #include "stetro_supervisor/profile/circular_misfit.hpp"
+#include "stetro_supervisor/profile/contraction.hpp"
 #include "stetro_supervisor/profile/published_centre_of_mass.hpp"
 
 namespace stetro_supervisor
@@ -38,8 +39,6 @@ struct TrustedCentreOfMass::Scans
 namespace
 {
 
-/// Ranges beyond this many medians are cut off in centroids.
-constexpr double kCapMedians = 3.0;
 /// Differences beyond this share of the profile's size count alike when a centroid step is judged.
 constexpr double kMisfitCap = 0.2;
 /// A centroid step is no longer than this share of the profile's size.

@@ -20,6 +20,18 @@
 
 namespace stetro_supervisor
 {
+namespace
+{
+
+double radius_at(
+  const stetro_site::ProfileCaster & map, const Eigen::Vector2d & at,
+  const ContractionParams & params)
+{
+  const auto steps = contraction(map, at, params);
+  return steps ? steps->spectral_radius : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
 
 UsabilityLayer::UsabilityLayer(
   const stetro_site::ProfileCaster & map, const stetro_site::FreeSpace & free,
@@ -40,10 +52,9 @@ UsabilityLayer::UsabilityLayer(
       Usability place;
       place.spectral_radius = std::numeric_limits<double>::quiet_NaN();
       if (free.clearance_m(at) >= params.clearance_m) {
-        const auto steps = contraction(map, at, params.contraction);
         const auto told = determination(map, at, params.determination);
-        place.spectral_radius =
-          steps ? steps->spectral_radius : std::numeric_limits<double>::infinity();
+        place.spectral_radius = radius_at(map, at, params.contraction);
+        place.published_radius = radius_at(map, at, as_published(params.contraction));
         place.worst_sigma_m = told.worst_sigma_m;
         place.worst_direction = told.worst_direction;
       }

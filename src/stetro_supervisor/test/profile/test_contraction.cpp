@@ -54,7 +54,7 @@ TEST(Contraction, IsWhatAStepOfThePublishedSearchLeavesOfAnError)
   const WallCaster hall(walls);
   constexpr double kStep = 0.2;
   const Eigen::Vector2d truth{5.5, 2.5};
-  const auto found = contraction(hall, truth, {720, 12.0, kStep});
+  const auto found = contraction(hall, truth, as_published({720, 12.0, kStep}));
   ASSERT_TRUE(found);
   RangeProfile scan{{0.0, 6.283185307179586 / 720, 720}, {}};
   hall.cast(truth, scan.fan, 12.0, scan.ranges_m);
@@ -68,6 +68,25 @@ TEST(Contraction, IsWhatAStepOfThePublishedSearchLeavesOfAnError)
     const Eigen::Vector2d left = 0.5 * (left_of(error) - left_of(-error));
     EXPECT_LT((left - found->jacobian * error).norm(), 1e-9);
   }
+}
+
+// A door onto a long passage: the published steps follow its few long beams, the guarded cut them.
+TEST(Contraction, OfTheGuardedStepsKnowsTheirCap)
+{
+  std::vector<stetro_site::Segment> walls = rectangle({0.0, 0.0}, {4.0, 4.0});
+  walls.erase(walls.begin() + 1);  // the side at x = 4
+  walls.push_back({{4.0, 0.0}, {4.0, 1.9}});
+  walls.push_back({{4.0, 2.1}, {4.0, 4.0}});
+  for (const auto & side : rectangle({4.0, 1.0}, {40.0, 3.0})) {
+    walls.push_back(side);
+  }
+  walls.erase(walls.end() - 1);  // the passage's end at x = 4 is the door's wall
+  const WallCaster room(walls);
+  const ContractionParams guarded{1440, 50.0, 0.05};
+  const auto steps = contraction(room, {2.0, 1.9}, guarded);
+  const auto published = contraction(room, {2.0, 1.9}, as_published(guarded));
+  ASSERT_TRUE(steps && published);
+  EXPECT_LT(steps->spectral_radius, 0.5 * published->spectral_radius);
 }
 
 }  // namespace

@@ -17,6 +17,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <limits>
 #include <optional>
 
 #include "stetro_site/profile_caster.hpp"
@@ -24,13 +25,26 @@
 namespace stetro_supervisor
 {
 
+/// Ranges beyond this many medians are cut off in the guarded centroids of TrustedCentreOfMass.
+constexpr double kCapMedians = 3.0;
+
 /// How the profile of a place is taken to tell its contraction.
 struct ContractionParams
 {
   std::size_t beams = 360;
   double reach_m = 12.0;  ///< of a beam: one that meets nothing within it is left out
   double step_m = 0.05;   ///< of the differences; some cells on a grid
+  /// Ranges are cut off at this many medians of the place, as by the steps that run; infinite: not
+  /// at all, as by `published_search`.
+  double cap_medians = kCapMedians;
 };
+
+/// The same asked of the search as published.
+[[nodiscard]] inline ContractionParams as_published(ContractionParams params)
+{
+  params.cap_medians = std::numeric_limits<double>::infinity();
+  return params;
+}
 
 /// What one step of the centroid search does to a small error of position.
 struct Contraction
@@ -47,8 +61,12 @@ struct Contraction
  * the profile moves along with the scanner, as in a corridor longer than the reach, J has an
  * eigenvalue of 1: the centroid knows nothing of that direction.
  *
- * Beams that meet nothing are left out as `published_search` leaves them out: closed by the reach
- * instead, the profile is another one, its J is another, and tells nothing of that search.
+ * J is of one iteration and tells nothing of another. The guarded steps of TrustedCentreOfMass cut
+ * ranges off at a cap and leave out beams that have no echo in the scan: here those that meet
+ * nothing from `position_m`. `published_search` knows no cap and leaves out what meets nothing from
+ * where it is. The guarded steps take a hundred beams, in whatever heading, and so J is asked with
+ * more: of a few it would tell through which doors they happen to look. What it leaves out: limits
+ * and halvings of a step, which only shorten it, and that steps end at 2 % of the profile's size.
  *
  * \return nothing where a profile has no area
  */

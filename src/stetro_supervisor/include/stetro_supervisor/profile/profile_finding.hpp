@@ -85,7 +85,7 @@ struct ProfileFinding
   std::optional<ProfileMoments> measured;
   double valid_share = 0.0;  ///< of the beams, with a range
   int casts = 0;             ///< profiles cast on the map, whole or thinned
-  /// Of a centroid step at the best pose, by the map: below 1 the centroids alone would have told.
+  /// Of a guarded centroid step at the best pose, by the map: below 1 it comes home from nearby.
   /// Nothing without a UsabilityLayer, or where it was not asked.
   std::optional<double> spectral_radius;
   bool by_ends = false;  ///< the profiles do not compare, the ends of the beams lie on walls

@@ -29,8 +29,9 @@ namespace stetro_supervisor
 /// What the profile of a place is worth, by the map alone.
 struct Usability
 {
-  double spectral_radius = 0.0;  ///< of a centroid step, see Contraction; NaN where nobody stands
-  double worst_sigma_m = 0.0;    ///< of the position, see Determination
+  double spectral_radius = 0.0;   ///< of a guarded centroid step; NaN where nobody stands
+  double published_radius = 0.0;  ///< of a step as published, see Contraction
+  double worst_sigma_m = 0.0;     ///< of the position, see Determination
   Eigen::Vector2d worst_direction = Eigen::Vector2d::UnitX();
 };
 
@@ -39,7 +40,7 @@ struct UsabilityParams
 {
   double spacing_m = 0.25;    ///< between the places asked
   double clearance_m = 0.25;  ///< of a place where the body fits; others are not asked
-  ContractionParams contraction{720, 12.0, 0.05};
+  ContractionParams contraction{720, 12.0, 0.05, kCapMedians};
   DeterminationParams determination;
 };
 
@@ -48,7 +49,7 @@ struct UsabilityParams
 class UsabilityLayer
 {
 public:
-  /// Asks every place of a grid between two corners: about a quarter of a millisecond each.
+  /// Asks every place of a grid between two corners: about a third of a millisecond each.
   /** \throws std::invalid_argument unless the spacing is positive and the corners are in order */
   UsabilityLayer(
     const stetro_site::ProfileCaster & map, const stetro_site::FreeSpace & free,
