@@ -51,7 +51,7 @@ struct MapsScore
   void add(const MapsScore & other);
 };
 
-/// Whether a covariance shows the direction that the map tells worst, where it does not determine it.
+/// Whether a covariance shows the direction that the map tells worst, where it is not determined.
 /** Along that direction it says more than the determined, and more than across it: 1.5 times, or as
  *  much as the map where that tells both about as badly. */
 [[nodiscard]] bool shows_free_direction(

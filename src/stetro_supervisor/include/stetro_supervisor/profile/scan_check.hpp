@@ -79,9 +79,9 @@ struct ScanSetup
  *  2. Where its profiles do not compare, as too much has changed, EndMatching: a place where most
  *     ends lie on walls, clearly better than any other of the area.
  *  3. What the map says of the place that was found and beside it (determination): along the
- *     direction that is told worst, the covariance is never less than the map's own bound. A scan on
- *     a map of cells would find one in the steps of its walls. A place found by the ends, which tell
- *     less, is that much worse along this direction, too (stretched).
+ *     direction that is told worst, the covariance is never less than the map's own bound. A scan
+ *     on a map of cells would find one in the steps of its walls. A place found by the ends, which
+ *     tell less, is that much worse along this direction, too (stretched).
  *
  * Keeps its memory from check to check; for one thread.
  */
