@@ -32,6 +32,7 @@ namespace
 
 constexpr double kReplyPatience_s = 0.3;   // with an emulated servo, of the computer's time
 constexpr double kRangePatience_s = 0.06;  // with an emulated measurement, the same
+constexpr double kLinesPatience_s = 0.1;   // with emulated lines, a third of it
 constexpr double kImuPatience_s = 0.25;    // the same with an emulated VN-100
 
 struct KernelDoors
@@ -74,6 +75,8 @@ linux_io::Devices patient_with(linux_io::Devices devices, double speed)
   linux_io::TofArrayConfig & ranges = devices.range_sensors;
   ranges.period_s = std::min(std::max(ranges.period_s, kRangePatience_s * speed), 0.2);
   ranges.longest_s = std::min(std::max(ranges.longest_s, 3.0 * kRangePatience_s * speed), 1.0);
+  linux_io::ContactLinesConfig & lines = devices.contacts;
+  lines.poll_s = std::max(lines.poll_s, kLinesPatience_s * speed);
   linux_io::Vn100Config & imu = devices.imu;
   const auto periods = kImuPatience_s * speed * static_cast<double>(imu.rate_hz);
   imu.silent_periods = std::max(imu.silent_periods, static_cast<std::int64_t>(periods));

@@ -101,6 +101,28 @@ TEST(EmulatedRobot, StandsWhenItsServoLineIsCutWhileItRolls)
     [&](const SensorFrame &) { return bench.truth().x_m > stopped_m + 0.02; }));
 }
 
+// A broken switch ends a mission, and a thread that was not run for a moment is no broken switch.
+TEST(EmulatedRobot, HoldsForABriefSilenceOfItsSwitchesBeforeTheyAreBroken)
+{
+  auto robot = test::emulated_robot(test::perfect(), test::patient(test::shipped_devices()));
+  EmulatedDevices & devices = robot->emulated();
+  SimulatedWorld & world = *robot;
+  HardwareBench bench{DriverHardware{std::move(robot), &world, nullptr}};
+  bench.switch_on();
+  bool broken = false;
+  devices.lines().set_hanging(true);
+  ASSERT_TRUE(bench.until({}, kWellAgainWithin_s, [&](const SensorFrame & frame) {
+    broken = broken || frame.contacts[0].fault;
+    return bench.refused().has_value();
+  }));
+  EXPECT_FALSE(broken);
+  EXPECT_TRUE(bench.until(
+    {}, kWellAgainWithin_s, [](const SensorFrame & frame) { return frame.contacts[0].fault; }));
+  devices.lines().set_hanging(false);
+  EXPECT_TRUE(bench.until(
+    {}, kWellAgainWithin_s, [](const SensorFrame & frame) { return !frame.contacts[0].fault; }));
+}
+
 TEST(EmulatedRobot, LeavesNothingBehind)
 {
   const OpenResources before;

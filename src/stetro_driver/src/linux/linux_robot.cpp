@@ -239,16 +239,22 @@ bool LinuxRobot::cycle_complete(Time device_now)
   return true;
 }
 
+// As with blocks: write() refuses at once, and a mission is given up for longer silence only.
 void LinuxRobot::sense_contacts(Time device_now, Time shift)
 {
   switches_ = contacts_->latest(device_now);
+  frame_.emergency_stop_latched = switches_.emergency_stop_latched;
+  if (!switches_.fault) {
+    contacts_well_ = device_now;
+  } else if (device_now - contacts_well_ <= kBriefSilence) {
+    return;
+  }
   frame_.contacts = switches_.contacts;
   for (ContactReading & contact : frame_.contacts) {
     if (contact.last_change > Time::zero()) {
       contact.last_change += shift;
     }
   }
-  frame_.emergency_stop_latched = switches_.emergency_stop_latched;
 }
 
 // Servos that miss a few questions hold, and write() says so. Broken blocks are for longer silence:

@@ -105,7 +105,8 @@ private:
   std::array<TofLatest, kRangePlaces> latest_{};
   std::array<std::uint64_t, kRangePlaces> told_{};  // numbers of the last complete cycle
   Time cycle_ended_{0};
-  Time chassis_well_{0};  // device time at which its servos last were
+  Time chassis_well_{0};   // device time at which its servos last were
+  Time contacts_well_{0};  // the same of its switches
   ContactLatest switches_{};
   ChassisReading motion_{};
   std::optional<IoFault> trouble_{};  // of the first device that has one
