@@ -255,7 +255,7 @@ void print_summary(std::ostream & out, const ClimbOutcome & outcome, const Climb
   line(
     "  time          %6.0f s simulated in %.0f s\n", outcome.simulated_time_s, outcome.wall_time_s);
   if (outcome.times_held > 0) {
-    line("  held          %6d times\n", outcome.times_held);
+    out << "  held          " << outcome.times_held << " times\n";
   }
   for (const std::string & fault : outcome.faults) {
     out << "  fault         " << fault << '\n';
