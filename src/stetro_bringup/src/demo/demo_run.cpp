@@ -98,12 +98,11 @@ bool DemoRun::goes_on()
     over_ = Clock::now();
     return false;
   }
-  if (!demo_.accepted()) {
-    ask();
-    return true;
+  ask();
+  if (demo_.accepted()) {
+    const auto & estimate = demo_.last_estimate();
+    progress_.show(demo_.mission(), estimate ? estimate->sample.y_m : 0.0, simulated_time_s());
   }
-  const auto & estimate = demo_.last_estimate();
-  progress_.show(demo_.mission(), estimate ? estimate->sample.y_m : 0.0, simulated_time_s());
   return true;
 }
 
