@@ -37,6 +37,12 @@ constexpr stetro_dds::QosProfile recording()
   return profile;
 }
 
+// Until somebody resumes it: a mission that waits for its pose is held, too, and goes on by itself.
+bool stands_held(const MissionView & mission)
+{
+  return mission.mission == status::MISSION_HELD && mission.state == "held";
+}
+
 }  // namespace
 
 DemoNode::DemoNode(
@@ -71,8 +77,7 @@ DemoNode::DemoNode(
 void DemoNode::ask()
 {
   const bool trusted = last_estimate_ && last_estimate_->integrity == "OK";
-  const bool held = task_.resumes && mission_.mission == status::MISSION_HELD;
-  if (!trusted || (accepted_ && !held)) {
+  if (!trusted || (accepted_ && !(task_.resumes && stands_held(mission_)))) {
     return;
   }
   if (!awaiting_answer_) {
@@ -179,10 +184,10 @@ void DemoNode::on_mission_status(const stetro_msgs::msg::MissionStatus & message
       awaiting_answer_ = false;
     }
   }
-  const bool held = message.mission() == status::MISSION_HELD;
-  times_held_ += held && mission_.mission != status::MISSION_HELD ? 1 : 0;
+  const bool stood = stands_held(mission_);
   mission_ = {message.mission(), message.state().c_str(), message.segment_id().c_str(),
               message.step(),    message.step_count(),    message.fault().c_str()};
+  times_held_ += stands_held(mission_) && !stood ? 1 : 0;
   ended_at_ = over ? ended_at_ : now;
   std::string fault = message.fault().c_str();
   if (!fault.empty()) {
