@@ -14,8 +14,6 @@
 
 // A hand on the command line: moves one part of the robot and prints what became of it.
 
-#include <unistd.h>
-
 #include <chrono>
 #include <cmath>
 #include <cstdint>
@@ -23,12 +21,13 @@
 #include <iostream>
 #include <map>
 #include <optional>
-#include <random>
 #include <set>
 #include <string>
 
 #include "CLI/CLI.hpp"
+#include "person_at_terminal.hpp"
 #include "stetro_dds/executor.hpp"
+#include "stetro_dds/instance_id.hpp"
 #include "stetro_dds/launch.hpp"
 #include "stetro_dds/node.hpp"
 #include "stetro_dds/stamp.hpp"
@@ -43,12 +42,12 @@ namespace status = stetro_msgs::msg::CommandStatus_Constants;
 namespace qos = stetro_dds::qos;
 using std::chrono_literals::operator""ms;
 using Clock = std::chrono::steady_clock;
+using stetro_bringup::kDone;
+using stetro_bringup::kRefused;
+using stetro_bringup::no_answer;
 using stetro_msgs::msg::Command;
 using stetro_msgs::msg::CommandStatus;
 
-constexpr int kDone = 0;
-constexpr int kRefused = 1;
-constexpr int kNoAnswer = 3;
 constexpr auto kRenewal = 50ms;
 constexpr std::uint32_t kValidFor_ns = 200'000'000;  // what the driver takes at most
 constexpr double kDegree = M_PI / 180.0;
@@ -73,16 +72,6 @@ const std::map<std::string, std::uint8_t> kKinds = {
   {"lift", kind::KIND_LIFT},
   {"lower", kind::KIND_LOWER}};
 
-// The hand has nothing to set but what every node has.
-struct HandParams
-{
-};
-
-template <class Visitor>
-void visit(HandParams &, Visitor &&)
-{
-}
-
 /// A hand on the robot: commands, renewed as long as they are to act, and what became of them.
 class Hand
 {
@@ -90,7 +79,7 @@ public:
   Hand(stetro_dds::Context & context, const stetro_dds::NodeOptions & options)
   : node_(context, options),
     commands_(node_.advertise<Command>("command", qos::kCommand)),
-    instance_((std::uint64_t{std::random_device{}()} << 32U) | std::random_device{}() | 1U)
+    instance_(stetro_dds::draw_instance_id())
   {
     node_.subscribe<CommandStatus>(
       "command_status", qos::kCommandStatus, [this](const CommandStatus & heard) {
@@ -144,13 +133,6 @@ Command command_of(const Motion & motion)
   return command;
 }
 
-int no_answer(double patience_s)
-{
-  std::cerr << "no driver has answered within " << patience_s
-            << " s; is it on this ROS_DOMAIN_ID, and this node on its time (use_sim_time)?\n";
-  return kNoAnswer;
-}
-
 int refused(const std::string & what, const CommandStatus & told)
 {
   std::cout << what << " refused: " << told.detail().c_str() << std::endl;
@@ -197,7 +179,7 @@ int reset(const Motion & motion, Hand & hand, const Loop & loop)
   hand.send(command_of(kind::KIND_STOP));
   const bool heard = wait(loop, motion.patience_s, [&hand] { return hand.heard().has_value(); });
   if (!heard) {
-    return no_answer(motion.patience_s);
+    return no_answer("driver", motion.patience_s);
   }
   const bool accepted = renew(command_of(kind::KIND_HOLD), motion.patience_s, hand, loop, [&hand] {
     const CommandStatus & told = *hand.heard();
@@ -218,7 +200,7 @@ int move(const Motion & motion, Hand & hand, const Loop & loop)
   });
   hand.send(command_of(kind::KIND_STOP));
   if (!hand.heard()) {
-    return no_answer(motion.patience_s);
+    return no_answer("driver", motion.patience_s);
   }
   if (hand.heard()->outcome() == status::OUTCOME_REFUSED) {
     return refused(motion.what, *hand.heard());
@@ -231,7 +213,7 @@ int move(const Motion & motion, Hand & hand, const Loop & loop)
 int carry_out(const Motion & motion, Hand & hand, const Loop & loop)
 {
   if (!wait(loop, motion.patience_s, [&hand] { return hand.reaches_a_driver(); })) {
-    return no_answer(motion.patience_s);
+    return no_answer("driver", motion.patience_s);
   }
   return motion.what == "reset" ? reset(motion, hand, loop) : move(motion, hand, loop);
 }
@@ -269,12 +251,9 @@ int main(int argc, char ** argv)
     argc, argv,
     {"stetro_jog", "Moves one part of the robot, by hand, without the supervisor.", options},
     [&motion](stetro_dds::Launch & launch) {
-      const auto configured =
-        launch.configure<HandParams>("hand_" + std::to_string(getpid()), "/stetro");
-      stetro_dds::Context context(launch.context_options());
-      Hand hand(context, configured.options);
-      stetro_dds::Executor executor;
-      executor.add(hand.node());
-      return carry_out(motion, hand, {executor, launch});
+      return stetro_bringup::with_person<Hand>(
+        launch, "hand", [&](Hand & hand, stetro_dds::Executor & executor) {
+          return carry_out(motion, hand, {executor, launch});
+        });
     });
 }

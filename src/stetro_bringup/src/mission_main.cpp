@@ -13,8 +13,6 @@
 // limitations under the License.
 // An operator on the command line: asks for a mission and prints the supervisor's answer.
 
-#include <unistd.h>
-
 #include <array>
 #include <chrono>
 #include <cmath>
@@ -27,6 +25,7 @@
 #include <vector>
 
 #include "CLI/CLI.hpp"
+#include "person_at_terminal.hpp"
 #include "stetro_dds/executor.hpp"
 #include "stetro_dds/launch.hpp"
 #include "stetro_dds/node.hpp"
@@ -43,12 +42,12 @@ namespace status = stetro_msgs::msg::MissionStatus_Constants;
 namespace qos = stetro_dds::qos;
 using std::chrono_literals::operator""ms;
 using Clock = std::chrono::steady_clock;
+using stetro_bringup::kDone;
+using stetro_bringup::kNoAnswer;
+using stetro_bringup::kRefused;
 using stetro_msgs::msg::MissionRequest;
 using stetro_msgs::msg::MissionStatus;
 using stetro_msgs::msg::ProfileCheck;
-
-constexpr int kRefused = 1;
-constexpr int kNoAnswer = 3;
 
 const std::map<std::string, std::uint8_t> kKinds = {
   {"clean", request::KIND_CLEAN_FLIGHT},    {"go", request::KIND_GO_TO_SEGMENT},
@@ -75,16 +74,6 @@ struct Order
   int step = request::STEP_UNKNOWN;
   double patience_s = 10.0;
 };
-
-// The operator has nothing to set but what every node has.
-struct OperatorParams
-{
-};
-
-template <class Visitor>
-void visit(OperatorParams &, Visitor &&)
-{
-}
 
 // In the order of MISSION_* of MissionStatus.
 constexpr std::array kMissionNames = {"unknown", "idle",     "running", "paused",
@@ -195,7 +184,7 @@ int tell_check(
     return kNoAnswer;
   }
   print(*person.check());
-  return 0;
+  return kDone;
 }
 
 int carry_out(const Order & order, Operator & person, stetro_dds::Executor & executor)
@@ -213,13 +202,11 @@ int carry_out(const Order & order, Operator & person, stetro_dds::Executor & exe
     executor.spin_some(20ms);
   }
   if (!person.heard() || !(only_look || person.is_answered())) {
-    std::cerr << "no supervisor has answered within " << order.patience_s
-              << " s; is it on this ROS_DOMAIN_ID, and this node on its time (use_sim_time)?\n";
-    return kNoAnswer;
+    return stetro_bringup::no_answer("supervisor", order.patience_s);
   }
   if (only_look) {
     print(*person.heard());
-    return 0;
+    return kDone;
   }
   const bool accepted = person.heard()->answer() == status::ANSWER_ACCEPTED;
   std::cout << order.what << (accepted ? " accepted" : " refused: ")
@@ -227,7 +214,7 @@ int carry_out(const Order & order, Operator & person, stetro_dds::Executor & exe
   if (accepted && order.what == "check-pose") {
     return tell_check(order, person, executor, deadline);
   }
-  return accepted ? 0 : kRefused;
+  return accepted ? kDone : kRefused;
 }
 
 }  // namespace
@@ -266,12 +253,9 @@ int main(int argc, char ** argv)
     argc, argv,
     {"stetro_mission", "Asks the supervisor for something, and prints its answer.", options},
     [&order](stetro_dds::Launch & launch) {
-      const auto configured =
-        launch.configure<OperatorParams>("operator_" + std::to_string(getpid()), "/stetro");
-      stetro_dds::Context context(launch.context_options());
-      Operator person(context, configured.options);
-      stetro_dds::Executor executor;
-      executor.add(person.node());
-      return carry_out(order, person, executor);
+      return stetro_bringup::with_person<Operator>(
+        launch, "operator", [&order](Operator & person, stetro_dds::Executor & executor) {
+          return carry_out(order, person, executor);
+        });
     });
 }

@@ -65,6 +65,13 @@ struct Body
     measure();
   }
 
+  void periods(int count)
+  {
+    for (int i = 0; i < count; ++i) {
+      period();
+    }
+  }
+
   // \return periods until it is done
   int run(MotionKind kind, int block)
   {
@@ -186,15 +193,11 @@ TEST(Lifts, StayWhereTheyAreWhenHeld)
 {
   Body body;
   body.lifts.start(MotionKind::kLift, 1);
-  for (int i = 0; i < 50; ++i) {
-    body.period();
-  }
+  body.periods(50);
   body.lifts.hold();
   const double held_m = body.extensions_m[0];
   EXPECT_NEAR(held_m, 0.06, 0.002);
-  for (int i = 0; i < 50; ++i) {
-    body.period();
-  }
+  body.periods(50);
   EXPECT_NEAR(body.extensions_m[0], held_m, 1e-9);
   EXPECT_FALSE(body.reading(1).moving);
   EXPECT_FALSE(body.reading(1).at_lower_lock);
@@ -206,14 +209,10 @@ TEST(Lifts, StopAtOnceWhileLowering)
   Body body;
   body.run(MotionKind::kLift, 1);
   body.lifts.start(MotionKind::kLower, 1);
-  for (int i = 0; i < 50; ++i) {
-    body.period();
-  }
+  body.periods(50);
   const double stopped_m = body.extensions_m[0];
   body.lifts.stop();
-  for (int i = 0; i < 50; ++i) {
-    body.period();
-  }
+  body.periods(50);
   EXPECT_NEAR(body.extensions_m[0], stopped_m, 1e-9);
   EXPECT_FALSE(body.reading(1).moving);
   EXPECT_FALSE(body.reading(1).at_lower_lock);
@@ -225,14 +224,10 @@ TEST(Lifts, DoNotTakeADroopForTheGround)
   Body body;
   body.run(MotionKind::kLift, 1);
   body.lifts.start(MotionKind::kLower, 1);
-  for (int i = 0; i < 25; ++i) {
-    body.period();
-  }
+  body.periods(25);
   body.lifts.hold();
   body.droop_m = 0.0045;
-  for (int i = 0; i < 50; ++i) {
-    body.period();
-  }
+  body.periods(50);
   EXPECT_FALSE(body.reading(1).at_lower_lock);
   EXPECT_GT(body.reading(1).height_m, 0.1);
 }
@@ -246,9 +241,7 @@ Body in_mid_climb()
   body.run(MotionKind::kLower, 1);
   body.lowest_m[0] = -1.0;
   body.lifts.start(MotionKind::kLift, 2);
-  for (int i = 0; i < 75; ++i) {
-    body.period();
-  }
+  body.periods(75);
   body.lifts.stop();
   return body;
 }
@@ -335,9 +328,7 @@ TEST(Lifts, BeginAgainWhereTheyAreAfterALoss)
 {
   Body body;
   body.lifts.start(MotionKind::kLift, 1);
-  for (int i = 0; i < 50; ++i) {
-    body.period();
-  }
+  body.periods(50);
   body.extensions_m[0] = 0.03;  // it sank while nobody looked
   body.lifts.restart();
   body.measure();

@@ -239,14 +239,19 @@ bool LinuxRobot::cycle_complete(Time device_now)
   return true;
 }
 
-// As with blocks: write() refuses at once, and a mission is given up for longer silence only.
+bool LinuxRobot::BriefTrouble::lets_pass(bool in_trouble, Time device_now)
+{
+  if (!in_trouble) {
+    well_ = device_now;
+  }
+  return !in_trouble || device_now - well_ > kBriefSilence;
+}
+
 void LinuxRobot::sense_contacts(Time device_now, Time shift)
 {
   switches_ = contacts_->latest(device_now);
   frame_.emergency_stop_latched = switches_.emergency_stop_latched;
-  if (!switches_.fault) {
-    contacts_well_ = device_now;
-  } else if (device_now - contacts_well_ <= kBriefSilence) {
+  if (!of_contacts_.lets_pass(switches_.fault.has_value(), device_now)) {
     return;
   }
   frame_.contacts = switches_.contacts;
@@ -257,14 +262,9 @@ void LinuxRobot::sense_contacts(Time device_now, Time shift)
   }
 }
 
-// Servos that miss a few questions hold, and write() says so. Broken blocks are for longer silence:
-// whoever hears of one gives up its climb.
 void LinuxRobot::sense_blocks(Time device_now, Time shift)
 {
-  if (!motion_.fault) {
-    chassis_well_ = device_now;
-  }
-  if (!motion_.fault || device_now - chassis_well_ > kBriefSilence) {
+  if (of_chassis_.lets_pass(motion_.fault.has_value(), device_now)) {
     frame_.blocks_stamp = motion_.stamp > Time::zero() ? motion_.stamp + shift : Time::zero();
     frame_.blocks = motion_.blocks;
     share_weight(frame_.blocks);

@@ -75,6 +75,22 @@ public:
   [[nodiscard]] std::vector<DeviceStatus> devices() const override;
 
 private:
+  /// Keeps from a mission what is over at once.
+  /**
+   * Servos or switches that miss a few questions are no news: write() refuses meanwhile, and the
+   * robot holds. Broken ones are those that are silent for longer; who hears of them gives up its
+   * climb.
+   */
+  class BriefTrouble
+  {
+  public:
+    /** \return whether a device may be told as it says that it is, in trouble or well */
+    [[nodiscard]] bool lets_pass(bool in_trouble, Time device_now);
+
+  private:
+    Time well_{0};  // when it last was
+  };
+
   void open(const std::string & kind, const std::function<void()> & action);
   void release();
   void sense(Time now);
@@ -105,8 +121,8 @@ private:
   std::array<TofLatest, kRangePlaces> latest_{};
   std::array<std::uint64_t, kRangePlaces> told_{};  // numbers of the last complete cycle
   Time cycle_ended_{0};
-  Time chassis_well_{0};   // device time at which its servos last were
-  Time contacts_well_{0};  // the same of its switches
+  BriefTrouble of_chassis_{};
+  BriefTrouble of_contacts_{};
   ContactLatest switches_{};
   ChassisReading motion_{};
   std::optional<IoFault> trouble_{};  // of the first device that has one

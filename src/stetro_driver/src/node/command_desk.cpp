@@ -15,8 +15,8 @@
 #include "node/command_desk.hpp"
 
 #include <cmath>
-#include <random>
 
+#include "stetro_dds/instance_id.hpp"
 #include "stetro_dds/qos.hpp"
 
 namespace stetro_driver
@@ -28,12 +28,6 @@ namespace status = stetro_msgs::msg::CommandStatus_Constants;
 
 constexpr std::size_t kLongestDetail = 128;
 constexpr double kAngleReached = 0.03;  // what the gate takes for a direction [rad]
-
-std::uint64_t drawn_instance()
-{
-  std::random_device device;
-  return ((std::uint64_t{device()} << 32U) | device()) | 1U;  // zero means unknown
-}
 
 bool reached(const JointCommand & motion, const SensorFrame & frame)
 {
@@ -55,7 +49,7 @@ bool reached(const JointCommand & motion, const SensorFrame & frame)
 CommandDesk::CommandDesk(stetro_dds::Node & node, const GateLimits & limits)
 : node_(node),
   gate_(limits),
-  driver_instance_(drawn_instance()),
+  driver_instance_(stetro_dds::draw_instance_id()),
   status_(node.advertise<stetro_msgs::msg::CommandStatus>(
     "command_status", stetro_dds::qos::kCommandStatus))
 {

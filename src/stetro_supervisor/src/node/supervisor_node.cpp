@@ -15,9 +15,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 #include "stetro_config/fault.hpp"
+#include "stetro_dds/instance_id.hpp"
 #include "supervisor_parts.hpp"
 
 namespace stetro_supervisor
@@ -35,13 +35,6 @@ constexpr std::chrono::seconds kFleetPeriod{1};
 constexpr std::chrono::seconds kRecentPose{1};
 
 Time nanoseconds(double seconds) { return Time{std::llround(seconds * 1e9)}; }
-
-std::uint64_t drawn_instance()
-{
-  std::random_device random;
-  const std::uint64_t drawn = (static_cast<std::uint64_t>(random()) << 32) | random();
-  return drawn != 0 ? drawn : 1;
-}
 
 SupervisorSetup setup_of(const SupervisorParams & params)
 {
@@ -70,7 +63,7 @@ SupervisorNode::Parts::Parts(
   pose_stamps_(nanoseconds(params_.future_tolerance_s)),
   status_stamps_(nanoseconds(params_.future_tolerance_s), nanoseconds(params_.max_sample_age_s)),
   request_stamps_(nanoseconds(params_.request_tolerance_s)),
-  issuer_{node_.name().full(), drawn_instance(), nanoseconds(params_.valid_for_s)},
+  issuer_{node_.name().full(), stetro_dds::draw_instance_id(), nanoseconds(params_.valid_for_s)},
   command_(node_.advertise<stetro_msgs::msg::Command>("command", qos::kCommand)),
   status_(node_.advertise<stetro_msgs::msg::MissionStatus>("mission_status", qos::kLatched)),
   initialpose_(node_.advertise<geometry_msgs::msg::PoseWithCovarianceStamped>(

@@ -149,9 +149,8 @@ void visit(FloorParams & p, Visitor && each)
     "error of a range in the four-beam search, map and heading included [m]");
   each(
     "floor.dependable_m", p.dependable_m, Within{0.0, 100.0},
-    "what is nearer returns to most rays of a beam, so that no return says that nothing is; at "
-    "most "
-    "the lidar's max_range_m; 0: no return says nothing [m]");
+    "what is nearer returns to most rays of a beam, so that no return says that nothing is; "
+    "at most the lidar's max_range_m; 0: no return says nothing [m]");
   each(
     "floor.search_heading_rad", p.search_heading_rad, Within{0.01, 0.5},
     "between the headings that a search tries [rad]");

@@ -1,0 +1,28 @@
+// Copyright 2026 The sTetro Authors
+//
+// Licensed under the Apache License, Version 2.0 (the "License");
+// you may not use this file except in compliance with the License.
+// You may obtain a copy of the License at
+//
+//     http://www.apache.org/licenses/LICENSE-2.0
+//
+// Unless required by applicable law or agreed to in writing, software
+// distributed under the License is distributed on an "AS IS" BASIS,
+// WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+// See the License for the specific language governing permissions and
+// limitations under the License.
+
+#ifndef STETRO_DDS__INSTANCE_ID_HPP_
+#define STETRO_DDS__INSTANCE_ID_HPP_
+
+#include <cstdint>
+
+namespace stetro_dds
+{
+
+/// Tells one run of a program from the next, for messages that carry an instance. Never 0.
+[[nodiscard]] std::uint64_t draw_instance_id();
+
+}  // namespace stetro_dds
+
+#endif  // STETRO_DDS__INSTANCE_ID_HPP_
