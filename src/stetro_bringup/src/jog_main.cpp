@@ -49,7 +49,8 @@ using stetro_msgs::msg::Command;
 using stetro_msgs::msg::CommandStatus;
 
 constexpr auto kRenewal = 50ms;
-constexpr std::uint32_t kValidFor_ns = 200'000'000;  // what the driver takes at most
+constexpr std::chrono::nanoseconds kValidFor = 200ms;  // what the driver takes at most
+constexpr double kLetGo_s = 2.0;
 constexpr double kDegree = M_PI / 180.0;
 
 struct Motion
@@ -98,19 +99,24 @@ public:
 
   void send(Command command)
   {
-    command.header().stamp() = stetro_dds::stamp_of(node_.clock().now());
+    sent_ = node_.clock().now();
+    command.header().stamp() = stetro_dds::stamp_of(sent_);
     command.header().frame_id() = "base_link";
     command.issuer() = "stetro_jog";
     command.issuer_instance() = instance_;
     command.sequence_number() = ++sequence_;
-    command.valid_for().nanosec() = kValidFor_ns;
+    command.valid_for().nanosec() = static_cast<std::uint32_t>(kValidFor.count());
     commands_.publish(command);
   }
+
+  /// The driver takes commands of nobody else as long as the last one of ours is good.
+  [[nodiscard]] bool has_let_go() const { return node_.clock().now() > sent_ + kValidFor; }
 
 private:
   stetro_dds::Node node_;
   stetro_dds::Publisher<Command> & commands_;
   const std::uint64_t instance_;
+  std::chrono::nanoseconds sent_{0};
   std::uint64_t sequence_ = 0;
   std::optional<CommandStatus> heard_{};
 };
@@ -215,7 +221,9 @@ int carry_out(const Motion & motion, Hand & hand, const Loop & loop)
   if (!wait(loop, motion.patience_s, [&hand] { return hand.reaches_a_driver(); })) {
     return no_answer("driver", motion.patience_s);
   }
-  return motion.what == "reset" ? reset(motion, hand, loop) : move(motion, hand, loop);
+  const int outcome = motion.what == "reset" ? reset(motion, hand, loop) : move(motion, hand, loop);
+  wait(loop, kLetGo_s, [&hand] { return hand.has_let_go(); });  // for whoever commands next
+  return outcome;
 }
 
 }  // namespace
