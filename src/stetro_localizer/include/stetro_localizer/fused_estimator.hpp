@@ -39,6 +39,9 @@ namespace stetro_localizer
  * built. At each wall contact the distance to that wall is known, which calibrates the sensor that
  * sees it; the opposite one and the wheels follow through the filter.
  *
+ * From the first ranges on there is an estimate upon each array of them, and whenever wheels and
+ * gyroscope have both told of a later time: between two arrays a body that slips moves by 4 mm.
+ *
  * Derivation: docs/derivations/fused_estimator.md.
  */
 class FusedEstimator : public SegmentEstimator
@@ -79,6 +82,7 @@ private:
   [[nodiscard]] Refusal fault_of_stamp(Nanoseconds stamp, Nanoseconds now) const;
   [[nodiscard]] RangeSample new_readings(const RangeSample & sample);
   void watch_devices(const Sample & sample);
+  void follow_motion(Nanoseconds & newest, Nanoseconds stamp);
   void refresh(ResetCause cause = ResetCause::kNone);
   [[nodiscard]] ResetCause jumped(std::optional<int> step_before);
   void refresh_position();
@@ -108,6 +112,8 @@ private:
   StairEstimate estimate_;
   std::array<Nanoseconds, stetro_site::kPlaces.size()> last_reading_{};
   Nanoseconds last_array_{0};
+  Nanoseconds rolled_until_{0};  // the newest sample of the wheels
+  Nanoseconds turned_until_{0};  // and of the gyroscope
   bool silent_ = false;
   std::uint32_t begin_reasons_ = 0;  // what the state file left to say
   std::uint32_t jumps_counted_ = 0;  // of the core, in the reset counter

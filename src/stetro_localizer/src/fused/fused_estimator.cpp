@@ -85,12 +85,30 @@ Verdict FusedEstimator::take(Source input, const Sample & sample, Nanoseconds no
 
 Verdict FusedEstimator::add_gyro(const GyroSample & sample, Nanoseconds now)
 {
-  return take(Source::kGyro, sample, now, fault_of(sample));
+  const Verdict verdict = take(Source::kGyro, sample, now, fault_of(sample));
+  if (verdict.outcome == Outcome::kFused) {
+    follow_motion(turned_until_, sample.stamp);
+  }
+  return verdict;
 }
 
 Verdict FusedEstimator::add_odometry(const OdometrySample & sample, Nanoseconds now)
 {
-  return take(Source::kOdometry, sample, now, fault_of(sample));
+  const Verdict verdict = take(Source::kOdometry, sample, now, fault_of(sample));
+  if (verdict.outcome == Outcome::kFused) {
+    follow_motion(rolled_until_, sample.stamp);
+  }
+  return verdict;
+}
+
+// With one of the two alone the pose would turn and roll in turns.
+void FusedEstimator::follow_motion(Nanoseconds & newest, Nanoseconds stamp)
+{
+  newest = std::max(newest, stamp);
+  const bool begun = estimate_.stamp > Nanoseconds{0};
+  if (begun && std::min(rolled_until_, turned_until_) > estimate_.stamp) {
+    refresh();
+  }
 }
 
 Verdict FusedEstimator::add_contacts(const ContactSample & sample, Nanoseconds now)
@@ -158,7 +176,7 @@ RangeSample FusedEstimator::new_readings(const RangeSample & sample)
   return fresh;
 }
 
-// Ranges bring the next estimate; without them it is the prediction.
+// Samples bring the next estimate; without them it is the prediction.
 void FusedEstimator::tick(Nanoseconds now)
 {
   silent_ = watch_.any_silent(now);

@@ -98,15 +98,22 @@ void LocalizerNode::Parts::open_sensors()
       if (auto rejection = take(message, sample, odom)) {
         return rejection;
       }
+      const Nanoseconds before = estimator_->estimate().stamp;
       auto rejection = refusal_of(estimator_->add_odometry(sample, node_.clock().now()));
       odom_ = rejection ? odom_ : odom;
+      publish_later_than(before);
       return rejection;
     });
   node_.subscribe<sensor_msgs::msg::Imu>(
     "imu/data", qos::kSensor, [this](const sensor_msgs::msg::Imu & message) -> Rejection {
       GyroSample sample;
-      auto rejection = take(message, sample);
-      return rejection ? rejection : refusal_of(estimator_->add_gyro(sample, node_.clock().now()));
+      if (auto rejection = take(message, sample)) {
+        return rejection;
+      }
+      const Nanoseconds before = estimator_->estimate().stamp;
+      auto rejection = refusal_of(estimator_->add_gyro(sample, node_.clock().now()));
+      publish_later_than(before);
+      return rejection;
     });
   node_.subscribe<stetro_msgs::msg::Contacts>(
     "contacts", qos::kContacts, [this](const stetro_msgs::msg::Contacts & message) -> Rejection {
@@ -137,8 +144,17 @@ Rejection LocalizerNode::Parts::take_ranges(const stetro_msgs::msg::RangeArray &
     return rejection;
   }
   publish();
+  publish_innovations();
   store();
   return std::nullopt;
+}
+
+// Motion brings a later estimate between ranges, but not with every method.
+void LocalizerNode::Parts::publish_later_than(Nanoseconds before)
+{
+  if (estimator_->estimate().stamp > before) {
+    publish();
+  }
 }
 
 void LocalizerNode::Parts::open_corrections()
@@ -161,6 +177,7 @@ void LocalizerNode::Parts::tick(Nanoseconds now)
   const StairEstimate & after = estimator_->estimate();
   if (after.stamp > Nanoseconds{0} && (after.stamp != before || after.reasons != reasons)) {
     publish();
+    publish_innovations();
   }
   store();
 }
@@ -201,9 +218,15 @@ void LocalizerNode::Parts::publish()
     fill(tf_message_, estimate, segment, *odom_);
     tf_.publish(tf_message_);
   }
-  fill(innovations_message_, *estimator_, segment);
-  innovations_.publish(innovations_message_);
   tell_changes(estimate);
+}
+
+void LocalizerNode::Parts::publish_innovations()
+{
+  if (node_.lifecycle().active()) {
+    fill(innovations_message_, *estimator_, estimator_->segment());
+    innovations_.publish(innovations_message_);
+  }
 }
 
 void LocalizerNode::Parts::tell_changes(const StairEstimate & estimate)

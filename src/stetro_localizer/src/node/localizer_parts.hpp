@@ -71,6 +71,8 @@ private:
   void tick(Nanoseconds now);
   void watch_clock();
   void publish();
+  void publish_later_than(Nanoseconds before);
+  void publish_innovations();
   void tell_changes(const StairEstimate & estimate);
   void tell_resets(const StairEstimate & estimate);
   void store();

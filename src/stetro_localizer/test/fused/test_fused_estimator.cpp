@@ -162,6 +162,32 @@ TEST(FusedEstimator, ATickWaitsForTheRanges)
   EXPECT_EQ(rig.estimate().pose.y_m, before.pose.y_m);
 }
 
+// The wheels alone bring none, nor does the gyroscope: one would roll where the other turns.
+TEST(FusedEstimator, FollowsTheMotionBetweenRanges)
+{
+  Rig rig(3, uncalibrated());
+  rig.robot.drive(0.0, 0.1, 0.0, 1.0);
+  const StairEstimate before = rig.estimate();
+  const Nanoseconds later = rig.robot.now + milliseconds(10);
+  ASSERT_FALSE(rig.estimator.add_odometry({later, 0.0, 0.1, 0.0}, later).is_refused());
+  EXPECT_EQ(rig.estimate().stamp, before.stamp);
+  ASSERT_FALSE(rig.estimator.add_gyro({later, 0.0}, later).is_refused());
+  EXPECT_EQ(rig.estimate().stamp, later);
+  const double rolled_m = 0.1 * seconds(later - before.stamp);
+  EXPECT_NEAR(rig.estimate().pose.y_m - before.pose.y_m, rolled_m, 2e-4);
+}
+
+// Before the first ranges nothing is known that motion could carry on.
+TEST(FusedEstimator, DoesNotFollowTheMotionBeforeTheRanges)
+{
+  FusedEstimator estimator(params_with(0), stetro_site::RobotGeometry{}, papers_flight());
+  estimator.begin({});
+  const Nanoseconds now = std::chrono::seconds(1);
+  ASSERT_FALSE(estimator.add_odometry({now, 0.0, 0.0, 0.0}, now).is_refused());
+  ASSERT_FALSE(estimator.add_gyro({now, 0.0}, now).is_refused());
+  EXPECT_EQ(estimator.estimate().stamp, Nanoseconds{0});
+}
+
 // The motion goes on for 0.1 s as it was; from then on the robot may have stopped as well as not,
 // and y is known to 0.15 m/s times 0.5 s. The next sample knows better.
 TEST(FusedEstimator, PredictsWhenItsInputsAreSilent)
