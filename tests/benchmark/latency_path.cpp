@@ -126,16 +126,16 @@ Relay::Relay(std::uint32_t domain_id)
   // The readers of the localizer in its order: a round takes what carries the ranges before them.
   using stetro_dds::qos::kSensor;
   const auto ignore = [](const auto &) {};
-  dispatch_.read<nav_msgs::msg::Odometry>(participant_, in(kBare, "odom"), kSensor, ignore);
+  const auto answer = [this](const auto & sample) {
+    message_.header().stamp(sample.header().stamp());
+    pose_.write(message_);
+  };
+  dispatch_.read<nav_msgs::msg::Odometry>(participant_, in(kBare, "odom"), kSensor, answer);
   dispatch_.read<sensor_msgs::msg::Imu>(participant_, in(kBare, "imu/data"), kSensor, ignore);
   dispatch_.read<stetro_msgs::msg::Contacts>(
     participant_, in(kBare, "contacts"), stetro_dds::qos::kContacts, ignore);
   dispatch_.read<stetro_msgs::msg::BlockStates>(participant_, in(kBare, "blocks"), kSensor, ignore);
-  dispatch_.read<RangeArray>(
-    participant_, in(kBare, "ranges"), kSensor, [this](const RangeArray & sample) {
-      message_.header().stamp(sample.header().stamp());
-      pose_.write(message_);
-    });
+  dispatch_.read<RangeArray>(participant_, in(kBare, "ranges"), kSensor, answer);
 }
 
 Sink::Sink(std::uint32_t domain_id) : participant_(domain_id)

@@ -27,9 +27,9 @@
 #include "stetro_msgs/PoseWithCovarianceStamped.hpp"
 #include "stetro_msgs/RangeArray.hpp"
 
-/// The two paths that are compared, sample by sample in turn: a range sample is written, something
-/// answers it with a pose, a subscriber receives the pose. On one path that something is the
-/// localizer, on the other a relay without robot code. All else is shared.
+/// The two paths that are compared, sample by sample in turn: an array of ranges or a sample of the
+/// wheels is written, something answers it with a pose, a subscriber receives the pose. On one path
+/// that something is the localizer, on the other a relay without robot code. All else is shared.
 namespace bench
 {
 
@@ -61,7 +61,7 @@ private:
   std::thread thread_;
 };
 
-/// The localizer's place: answers a range sample with a pose of the same stamp, nothing else.
+/// The localizer's place: answers ranges and wheels with a pose of the same stamp, nothing else.
 class Relay
 {
 public:
