@@ -102,6 +102,17 @@ TEST(HerkulexServo, IsNotReadyWithoutAnswers)
   EXPECT_TRUE(w.servo.may_set_up(w.clock.now() + 200ms));
 }
 
+// Whatever is asked to set up is asked again: one lost reply does not keep a robot from starting.
+TEST(HerkulexServo, SetsUpOverALineThatLosesReplies)
+{
+  Wired w{"lossy"};
+  w.emulator.set_faults({{}, Time{0}, 0.05});
+  for (int i = 0; i < 20; ++i) {
+    const auto fault = w.servo.set_up(w.bus, Torque::kBrake);
+    ASSERT_FALSE(fault) << i << ": " << fault->detail;
+  }
+}
+
 TEST(HerkulexServo, TakesNoReplyThatComesOneRequestLate)
 {
   Wired w{"late"};

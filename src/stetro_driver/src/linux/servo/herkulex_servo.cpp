@@ -89,7 +89,7 @@ std::optional<IoFault> HerkulexServo::try_set_up(HerkulexBus & bus, Torque torqu
       return fault;
     }
   }
-  if (auto fault = read_state(bus)) {
+  if (auto fault = read_state_again(bus)) {
     return fault;
   }
   if (state_.mode != setup_.mode) {
@@ -104,7 +104,7 @@ std::optional<IoFault> HerkulexServo::try_set_up(HerkulexBus & bus, Torque torqu
     }
   }
   torque_ = torque;
-  return read_state(bus);
+  return read_state_again(bus);
 }
 
 std::optional<IoFault> HerkulexServo::identify(HerkulexBus & bus)
@@ -167,7 +167,7 @@ std::optional<IoFault> HerkulexServo::change_mode(HerkulexBus & bus)
   if (auto fault = bus.send(jog)) {
     return fault;
   }
-  if (auto fault = read_state(bus)) {
+  if (auto fault = read_state_again(bus)) {
     return fault;
   }
   if (state_.mode != setup_.mode) {
@@ -185,6 +185,15 @@ std::optional<IoFault> HerkulexServo::set_torque(HerkulexBus & bus, Torque torqu
 std::optional<IoFault> HerkulexServo::clear_errors(HerkulexBus & bus)
 {
   return bus.write_ram(id_, ram::kStatusError, {0, 0});
+}
+
+std::optional<IoFault> HerkulexServo::read_state_again(HerkulexBus & bus)
+{
+  auto fault = read_state(bus);
+  for (int i = 1; fault && i < kTries; ++i) {
+    fault = read_state(bus);
+  }
+  return fault;
 }
 
 std::optional<IoFault> HerkulexServo::read_state(HerkulexBus & bus)

@@ -99,6 +99,8 @@ private:
   [[nodiscard]] std::optional<IoFault> write_and_check(
     HerkulexBus & bus, std::uint8_t address, std::uint8_t value);
   [[nodiscard]] std::optional<IoFault> read_state(HerkulexBus & bus);
+  /// The same as often as anything that sets up.
+  [[nodiscard]] std::optional<IoFault> read_state_again(HerkulexBus & bus);
   [[nodiscard]] std::optional<IoFault> change_mode(HerkulexBus & bus);
   [[nodiscard]] std::optional<IoFault> try_set_up(HerkulexBus & bus, Torque torque);
   [[nodiscard]] IoFault failed(HerkulexBus & bus, IoFault fault);
