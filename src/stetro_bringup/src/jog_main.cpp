@@ -198,11 +198,19 @@ int reset(const Motion & motion, Hand & hand, const Loop & loop)
   return kDone;
 }
 
+/// What came too late or was renewed too late goes on with the next one: the computer was busy.
+bool is_over(const CommandStatus & told)
+{
+  const bool too_late = told.reason() == status::REASON_BAD_STAMP;
+  return told.outcome() == status::OUTCOME_DONE ||
+         (told.outcome() == status::OUTCOME_REFUSED && !too_late);
+}
+
 int move(const Motion & motion, Hand & hand, const Loop & loop)
 {
   const double span_s = motion.lasts() ? motion.seconds : motion.patience_s;
   renew(command_of(motion), span_s, hand, loop, [&hand] {
-    return hand.heard() && hand.heard()->outcome() != status::OUTCOME_ACCEPTED;
+    return hand.heard() && is_over(*hand.heard());
   });
   hand.send(command_of(kind::KIND_STOP));
   if (!hand.heard()) {
