@@ -17,12 +17,16 @@
 
 #include <stdlib.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <iterator>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <thread>
+
+#include "stetro_driver/time.hpp"
 
 namespace stetro_driver
 {
@@ -85,6 +89,21 @@ template <class Condition>
     std::this_thread::sleep_for(std::chrono::milliseconds{1});
   }
   return true;
+}
+
+/// Polls a device as the control loop does until what it tells is faulty.
+/** \param age of what it tells now, which is believed; nothing: it is faulty
+ * \return how old the oldest was that was believed; nothing if it always was */
+template <class Age>
+[[nodiscard]] std::optional<Time> believed_for(Age age)
+{
+  Time believed{0};
+  const bool noticed = eventually([&] {
+    const std::optional<Time> now = age();
+    believed = std::max(believed, now.value_or(Time{0}));
+    return !now;
+  });
+  return noticed ? std::optional<Time>{believed} : std::nullopt;
 }
 
 }  // namespace stetro_driver
