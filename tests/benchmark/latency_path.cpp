@@ -38,6 +38,17 @@ std::chrono::nanoseconds system_now()
   return std::chrono::system_clock::now().time_since_epoch();
 }
 
+// What a pose answers is told by its stamp, in nanoseconds: ranges by an even one.
+std::chrono::nanoseconds of_ranges(std::chrono::nanoseconds time)
+{
+  return time - time % std::chrono::nanoseconds{2};
+}
+std::chrono::nanoseconds of_others(std::chrono::nanoseconds time)
+{
+  return of_ranges(time) + std::chrono::nanoseconds{1};
+}
+bool is_of_ranges(std::chrono::nanoseconds stamp) { return of_ranges(stamp) == stamp; }
+
 std::string in(const char * ns, const char * topic) { return std::string(ns) + "/" + topic; }
 
 }  // namespace
@@ -96,12 +107,16 @@ std::vector<Source::Stream> Source::streams() const
   auto start = std::chrono::steady_clock::now();
   for (Feed * feed : {robot_.get(), bare_.get()}) {
     using namespace standing;  // NOLINT(build/namespaces): one function per message
-    result.push_back({start, 10ms, [feed] { feed->imu.write(imu(system_now())); }});
-    result.push_back({start + 1ms, 10ms, [feed] { feed->odometry.write(odometry(system_now())); }});
-    result.push_back({start + 2ms, 33333us, [feed] { feed->blocks.write(blocks(system_now())); }});
     result.push_back(
-      {start + 3ms, 100ms, [feed] { feed->contacts.write(contacts(system_now())); }});
-    result.push_back({start + 4ms, 33333us, [feed] { feed->ranges.write(ranges(system_now())); }});
+      {start, 10ms, [feed] { feed->odometry.write(odometry(of_others(system_now()))); }});
+    result.push_back(
+      {start + 1ms, 10ms, [feed] { feed->imu.write(imu(of_others(system_now()))); }});
+    result.push_back(
+      {start + 2ms, 33333us, [feed] { feed->blocks.write(blocks(of_others(system_now()))); }});
+    result.push_back(
+      {start + 3ms, 100ms, [feed] { feed->contacts.write(contacts(of_others(system_now()))); }});
+    result.push_back(
+      {start + 4ms, 33333us, [feed] { feed->ranges.write(ranges(of_ranges(system_now()))); }});
     start += 15ms;
   }
   return result;
@@ -130,8 +145,8 @@ Relay::Relay(std::uint32_t domain_id)
     message_.header().stamp(sample.header().stamp());
     pose_.write(message_);
   };
-  dispatch_.read<nav_msgs::msg::Odometry>(participant_, in(kBare, "odom"), kSensor, answer);
-  dispatch_.read<sensor_msgs::msg::Imu>(participant_, in(kBare, "imu/data"), kSensor, ignore);
+  dispatch_.read<nav_msgs::msg::Odometry>(participant_, in(kBare, "odom"), kSensor, ignore);
+  dispatch_.read<sensor_msgs::msg::Imu>(participant_, in(kBare, "imu/data"), kSensor, answer);
   dispatch_.read<stetro_msgs::msg::Contacts>(
     participant_, in(kBare, "contacts"), stetro_dds::qos::kContacts, ignore);
   dispatch_.read<stetro_msgs::msg::BlockStates>(participant_, in(kBare, "blocks"), kSensor, ignore);
@@ -142,8 +157,9 @@ Sink::Sink(std::uint32_t domain_id) : participant_(domain_id)
 {
   const auto record = [](LatencyRecord & latencies, std::atomic<std::size_t> & count) {
     return [&latencies, &count](const PoseWithCovarianceStamped & pose) {
-      const auto age = system_now() - stetro_dds::time_of(pose.header().stamp());
-      if (++count > kWarmUp) {
+      const auto stamp = stetro_dds::time_of(pose.header().stamp());
+      const auto age = system_now() - stamp;
+      if (is_of_ranges(stamp) && ++count > kWarmUp) {
         latencies.add(age);
       }
     };

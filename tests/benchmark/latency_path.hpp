@@ -27,16 +27,17 @@
 #include "stetro_msgs/PoseWithCovarianceStamped.hpp"
 #include "stetro_msgs/RangeArray.hpp"
 
-/// The two paths that are compared, sample by sample in turn: an array of ranges or a sample of the
-/// wheels is written, something answers it with a pose, a subscriber receives the pose. On one path
-/// that something is the localizer, on the other a relay without robot code. All else is shared.
+/// The two paths that are compared, sample by sample in turn: an array of ranges is written,
+/// something answers it with a pose, a subscriber receives the pose. On one path that something is
+/// the localizer, on the other a relay without robot code. All else is shared: what answers the
+/// gyroscope is sent on both, too, and not counted.
 namespace bench
 {
 
 constexpr const char * kRobot = "/stetro";  ///< namespace of the localizer's path
 constexpr const char * kBare = "/bare";     ///< namespace of the relay's path
 
-/// The driver's place: sends what a standing robot senses, at the driver's rates, on both paths.
+/// The driver's place: what a standing robot senses, in its order and at its rates, on both paths.
 /** Everything on the bare path happens 15 ms after the same on the robot's path. */
 class Source
 {
@@ -61,7 +62,7 @@ private:
   std::thread thread_;
 };
 
-/// The localizer's place: answers ranges and wheels with a pose of the same stamp, nothing else.
+/// The localizer's place: answers ranges and gyroscope with a pose of the same stamp, no more.
 class Relay
 {
 public:
@@ -75,7 +76,7 @@ private:
   bare::Dispatch dispatch_;
 };
 
-/// The subscriber: how old each pose's stamp, the moment its range sample was written, is.
+/// The subscriber: how old the stamp of each pose is, the moment its range sample was written.
 class Sink
 {
 public:
